@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the makers' client of the Foxglove WebSocket protocol sees of a server: `node client.mjs PORT SECONDS`.
+// What the authors' client of the Foxglove WebSocket protocol sees of a server: `node client.mjs PORT SECONDS`.
 // It subscribes to all topics and decodes each message by its schema, publishes a goal, sets a parameter, calls a
 // service, and prints what came of it as JSON.
 import { parse } from "@foxglove/rosmsg";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the makers' reader says of a file, as JSON: `node read_file.mjs FILE`. It reads by the index, with @mcap/nodejs,
+// What the authors' reader says of a file, as JSON: `node read_file.mjs FILE`. It reads by the index, with @mcap/nodejs,
 // and, apart from that, from the beginning to the end, checks all checksums, and decodes each message of
 // encoding cdr by its ros2msg schema.
 import fs from "node:fs";

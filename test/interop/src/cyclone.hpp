@@ -16,6 +16,18 @@ namespace tocsin::interop {
   return entity;
 }
 
+/// Takes all that waits, and calls `use` with each sample that is one.
+template <class Message, class Use>
+void take_all(dds_entity_t reader, const Use& use) {
+  void* sample = nullptr;
+  dds_sample_info_t info{};
+  while (dds_take(reader, &sample, &info, 1, 1) == 1) {
+    if (info.valid_data) use(*static_cast<const Message*>(sample));
+    (void)dds_return_loan(reader, &sample, 1);
+    sample = nullptr;
+  }
+}
+
 /// A participant of Cyclone DDS, with default settings unless `qos` says others, and all that was
 /// made with it.
 class CycloneParticipant {

@@ -32,13 +32,7 @@ class CycloneService {
   /// Calls `use` with each message.
   template <class Use>
   void take(const Use& use) {
-    void* sample = nullptr;
-    dds_sample_info_t info{};
-    while (dds_take(reader_, &sample, &info, 1, 1) == 1) {
-      if (info.valid_data) use(*static_cast<const Read*>(sample));
-      (void)dds_return_loan(reader_, &sample, 1);
-      sample = nullptr;
-    }
+    take_all<Read>(reader_, use);
   }
 
  private:

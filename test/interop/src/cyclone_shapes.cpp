@@ -132,13 +132,16 @@ class Reader {
  public:
   Reader(const CycloneParticipant& cyclone, dds_entity_t subscriber, const ShapeOptions& options,
          std::string topic)
-      : topic_(std::move(topic)), filter_(shapes::ShapeFilter::of(options)) {
+      : topic_(std::move(topic)),
+        filter_(shapes::ShapeFilter::of(options)),
+        stamps_(options.stamps) {
     say("Create topic: " + topic_);
     const dds_entity_t type = cyclone.topic(shapes_msgs_ShapeType_desc, topic_, "ShapeType");
     say("Create reader for topic: " + topic_);
     reader_ = checked(dds_create_reader(subscriber, type, qos_of(options).get(), nullptr));
   }
   void print() const {
+    const dds_time_t read_ns = dds_time();
     std::array<void*, 64> samples{};
     std::array<dds_sample_info_t, 64> infos{};
     for (;;) {
@@ -146,7 +149,7 @@ class Reader {
           dds_take(reader_, samples.data(), infos.data(), samples.size(), samples.size());
       if (count <= 0) return;
       for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-        print(*static_cast<const shapes_msgs_ShapeType*>(samples[i]), infos[i]);
+        print(*static_cast<const shapes_msgs_ShapeType*>(samples[i]), infos[i], read_ns);
       }
       (void)dds_return_loan(reader_, samples.data(), count);
     }
@@ -164,10 +167,14 @@ class Reader {
   }
 
  private:
-  void print(const shapes_msgs_ShapeType& message, const dds_sample_info_t& info) const {
+  void print(const shapes_msgs_ShapeType& message, const dds_sample_info_t& info,
+             dds_time_t read_ns) const {
     if (info.valid_data) {
       const Shape shape = shape_of(message);
-      if (filter_.passes(shape)) say(shapes::sample_line(topic_, shape));
+      if (!filter_.passes(shape)) return;
+      const std::string stamps =
+          stamps_ ? shapes::stamps_text(info.source_timestamp, read_ns) : std::string();
+      say(shapes::sample_line(topic_, shape) + stamps);
     } else if (info.instance_state != DDS_IST_ALIVE) {
       say(shapes::instance_line(topic_, message.color,
                                 info.instance_state == DDS_IST_NOT_ALIVE_DISPOSED
@@ -178,6 +185,7 @@ class Reader {
 
   const std::string topic_;
   const shapes::ShapeFilter filter_;
+  const bool stamps_;
   dds_entity_t reader_ = 0;
 };
 

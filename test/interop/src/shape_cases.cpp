@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace tocsin::interop {
@@ -12,12 +13,21 @@ using Codes = std::vector<Code>;
 
 const Codes both_ok{Code::ok, Code::ok};
 const Codes misfit{Code::incompatible_qos, Code::incompatible_qos};
+const char* const four = " --num-instances 4";
 const Codes strangers{Code::reader_not_matched, Code::data_not_received};
 
 ShapeCase pair(const std::string& name, const std::string& publisher, const std::string& subscriber,
                Codes codes = both_ok, Check check = Check::received) {
   return {
       name, {"-P -t Square " + publisher, "-S -t Square " + subscriber}, std::move(codes), check};
+}
+
+/// A case whose subscriber prints stamps.
+ShapeCase stamped(ShapeCase one, Check check, int limit) {
+  one.apps.back() += " --stamps";
+  one.check = check;
+  one.limit = limit;
+  return one;
 }
 
 /// Options of two publishers and of their subscriber.
@@ -63,10 +73,11 @@ void add_history_and_ownership(std::vector<ShapeCase>& all) {
   all.push_back(pair("Reliability_4", "-r -k 0 -z 0", "-r -k 0", both_ok, Check::no_losses));
   all.push_back(pair("Reliability_5", "-r -k 0 -z 0 --num-instances 4", "-r -k 0", both_ok,
                      Check::no_losses));
-  all.push_back(pair("History_0", "-r -k 5 -z 0 --write-period 50", "-r -k 5 --read-period 200",
-                     both_ok, Check::no_losses));
-  all.push_back(pair("History_1", "-r -k 5 -z 0 --write-period 50 --num-instances 4",
-                     "-r -k 5 --read-period 200", both_ok, Check::no_losses));
+  for (const auto& [name, instances] : {std::pair("History_0", ""), {"History_1", four}}) {
+    all.push_back(stamped(pair(name, std::string("-r -k 5 -z 0 --write-period 50") + instances,
+                               "-r -k 5 --read-period 200"),
+                          Check::newest_kept, 5));
+  }
   all.push_back(pair("Ownership_0", "-s -1", "-s -1"));
   all.push_back(pair("Ownership_1", "-s -1", "-s 1", misfit));
   all.push_back(pair("Ownership_2", "-s 3", "-s -1", misfit));
@@ -93,12 +104,31 @@ void add_history_and_ownership(std::vector<ShapeCase>& all) {
                  Check::at_most_20});
 }
 
+void add_lifespans(std::vector<ShapeCase>& all) {
+  int number = 0;
+  for (const std::string reliability : {"-r", "-b"}) {
+    for (const auto& [write, lifespan_ms, read] :
+         {std::tuple("100", 250, "500"), {"400", 1000, "2000"}}) {
+      for (const char* const instances : {"", four}) {
+        const std::string writes = reliability + (reliability == "-r" ? " -k 0" : "") +
+                                   " -z 0 --write-period " + write + " --lifespan " +
+                                   std::to_string(lifespan_ms) + instances;
+        all.push_back(stamped(pair("Lifespan_" + std::to_string(number++), writes,
+                                   reliability + " -k 0 --read-period " + read),
+                              Check::short_lived, lifespan_ms));
+      }
+    }
+  }
+}
+
 void add_instances_and_time(std::vector<ShapeCase>& all) {
   const std::string rounds = "--num-iterations 200 --num-instances 4";
-  all.push_back(pair("TimeBasedFilter_0", "-r -k 0 -z 0 --write-period 100",
-                     "-r -k 0 --time-filter 1000", both_ok, Check::every_tenth));
-  all.push_back(pair("TimeBasedFilter_1", "-r -k 0 -z 0 --write-period 100 --num-instances 4",
-                     "-r -k 0 --time-filter 1000", both_ok, Check::every_tenth));
+  for (const auto& [name, instances] :
+       {std::pair("TimeBasedFilter_0", ""), {"TimeBasedFilter_1", four}}) {
+    all.push_back(stamped(pair(name, std::string("-r -k 0 -z 0 --write-period 100") + instances,
+                               "-r -k 0 --time-filter 1000"),
+                          Check::separated, 1000));
+  }
   all.push_back(pair("FinalInstanceState_0", rounds + " --final-instance-state u", "", both_ok,
                      Check::no_writers));
   all.push_back(pair("FinalInstanceState_1", rounds + " --final-instance-state d", "", both_ok,
@@ -106,19 +136,7 @@ void add_instances_and_time(std::vector<ShapeCase>& all) {
   all.push_back(pair("FinalInstanceState_2", rounds, "", both_ok, Check::no_writers));
   all.push_back(pair("LargeData_0", "-r -k 0 --additional-payload-size 100000", "-r -k 0", both_ok,
                      Check::ballast));
-  int number = 0;
-  for (const char* const reliability : {"-r -k 0", "-b"}) {
-    for (const auto& [write, read] : {std::pair("--write-period 100 --lifespan 250", "500"),
-                                      std::pair("--write-period 400 --lifespan 1000", "2000")}) {
-      for (const char* const instances : {"", " --num-instances 4"}) {
-        all.push_back(pair("Lifespan_" + std::to_string(number++),
-                           std::string(reliability) + " -z 0 " + write + instances,
-                           std::string(reliability == std::string("-b") ? "-b -k 0" : reliability) +
-                               " --read-period " + read,
-                           both_ok, Check::two_or_three));
-      }
-    }
-  }
+  add_lifespans(all);
 }
 
 }  // namespace
@@ -152,7 +170,7 @@ Departure departure(const ShapeCase& its, Side publisher) {
             "Fast DDS 2.9.1 sends a hash of the key alone, which Cyclone DDS cannot turn into a "
             "colour"};
   }
-  if (ours && its.check == Check::every_tenth) {
+  if (ours && its.check == Check::separated) {
     return {no_ends, "Cyclone DDS 0.10.2 has no time-based filter"};
   }
   return {};

@@ -3,26 +3,40 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
+#include <set>
 
 #include "shape_cases.hpp"
 
 namespace tocsin::interop {
 namespace {
 
-/// Sizes of the samples of each colour, in their order.
-std::map<std::string, std::vector<int>> sizes_of(const std::vector<std::string>& output) {
-  std::map<std::string, std::vector<int>> sizes;
+constexpr long long ns_in_ms = 1'000'000;
+constexpr int any = 1 << 20;
+
+/// A sample in a subscriber's output; stamps in ns, 0 without --stamps.
+struct Seen {
+  int size = 0;
+  long long stamp_ns = 0;
+  long long read_ns = 0;
+};
+using Colour = std::vector<Seen>;
+using Colours = std::map<std::string, Colour>;
+
+/// The samples of each colour, in their order.
+Colours colours_of(const std::vector<std::string>& output) {
+  Colours colours;
   for (const std::string& line : output) {
     char topic[32];
     char color[32];
     int x = 0;
     int y = 0;
-    int size = 0;
-    if (std::sscanf(line.c_str(), "%31s %31s %d %d [%d]", topic, color, &x, &y, &size) == 5) {
-      sizes[color].push_back(size);
+    Seen seen;
+    if (std::sscanf(line.c_str(), "%31s %31s %d %d [%d] @%lld %lld", topic, color, &x, &y,
+                    &seen.size, &seen.stamp_ns, &seen.read_ns) >= 5) {
+      colours[color].push_back(seen);
     }
   }
-  return sizes;
+  return colours;
 }
 
 std::size_t count_of(const std::vector<std::string>& output, const std::string& text) {
@@ -35,31 +49,51 @@ bool has(const std::vector<std::string>& output, const char* text) {
   return count_of(output, text) > 0;
 }
 
-/// Each size differs from the one before by `least` to `most`. The first of all may be any, as the
-/// suite has it.
-bool steps(const std::vector<int>& sizes, int least, int most) {
-  for (std::size_t i = 2; i < sizes.size(); ++i) {
-    const int step = sizes[i] - sizes[i - 1];
-    if (step < least || step > most) return false;
+/// Whether it holds of each sample and the one before. The first of all may be any, as the suite
+/// has it.
+template <class Holds>
+bool holds_of_neighbours(const Colour& seen, const Holds& holds) {
+  for (std::size_t i = 2; i < seen.size(); ++i) {
+    if (!holds(seen[i - 1], seen[i])) return false;
   }
   return true;
 }
 
-/// Runs of consecutive sizes, of which the first and the last may be cut, have two or three
-/// members.
-bool has_runs_of_two_or_three(const std::vector<int>& sizes) {
-  std::vector<int> runs{1};
-  for (std::size_t i = 1; i < sizes.size(); ++i) {
-    sizes[i] == sizes[i - 1] + 1 ? ++runs.back() : (runs.push_back(1), 0);
+bool steps(const Colour& seen, int least, int most) {
+  return holds_of_neighbours(seen, [&](const Seen& before, const Seen& next) {
+    return next.size >= before.size + least && next.size <= before.size + most;
+  });
+}
+
+bool are_separated(const Colour& seen, int separation_ms) {
+  const auto apart = [=](const Seen& before, const Seen& next) {
+    return next.stamp_ns - before.stamp_ns >= separation_ms * ns_in_ms;
+  };
+  return holds_of_neighbours(seen, apart) && !steps(seen, 1, 1);
+}
+
+/// A reader that is late takes what is older; without a lifespan it reads samples twice that old.
+bool have_expired_in_time(const Colour& seen, int lifespan_ms) {
+  bool in_a_row = false;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (seen[i].read_ns - seen[i].stamp_ns > lifespan_ms * ns_in_ms * 3 / 2) return false;
+    in_a_row = in_a_row || (i > 0 && seen[i].size == seen[i - 1].size + 1);
   }
-  if (runs.size() < 3) return false;
-  return std::all_of(runs.begin() + 1, runs.end() - 1,
-                     [](int run) { return run == 2 || run == 3; });
+  return in_a_row && steps(seen, 1, any) && !steps(seen, 1, 1);
+}
+
+/// A late reader loses what its history has no place for.
+bool newest_are_kept(const Colour& seen, std::ptrdiff_t depth) {
+  std::map<long long, std::ptrdiff_t> read;
+  for (const Seen& one : seen) ++read[one.read_ns];
+  return holds_of_neighbours(seen, [&](const Seen& before, const Seen& next) {
+    return next.size == before.size + 1 || (next.size > before.size && read[next.read_ns] >= depth);
+  });
 }
 
 template <class Holds>
-Code ok_if_all(const std::map<std::string, std::vector<int>>& sizes, const Holds& holds) {
-  return std::all_of(sizes.begin(), sizes.end(),
+Code ok_if_all(const Colours& colours, const Holds& holds) {
+  return std::all_of(colours.begin(), colours.end(),
                      [&holds](const auto& one) { return holds(one.second); })
              ? Code::ok
              : Code::data_not_correct;
@@ -69,33 +103,39 @@ Code one_or_both(std::size_t count) {
   return count == 1 ? Code::receiving_from_one : Code::receiving_from_both;
 }
 
-std::size_t different_sizes(const std::map<std::string, std::vector<int>>& sizes) {
-  std::map<int, int> seen;
-  for (const auto& one : sizes) {
-    // Before the stronger writer is known, a sample of the weaker one may pass.
-    for (std::size_t i = one.second.size() / 2; i < one.second.size(); ++i) ++seen[one.second[i]];
+/// From the largest on: before the stronger writer is known, samples of the weaker one may pass.
+std::size_t different_sizes(const Colours& colours) {
+  std::set<int> sizes;
+  for (const auto& [color, seen] : colours) {
+    const auto by_size = [](const Seen& a, const Seen& b) { return a.size < b.size; };
+    for (auto one = std::max_element(seen.begin(), seen.end(), by_size); one != seen.end(); ++one) {
+      sizes.insert(one->size);
+    }
   }
-  return seen.size();
+  return sizes.size();
 }
 
-Code checked(const std::vector<std::string>& output, Check check) {
-  const auto sizes = sizes_of(output);
+Code checked(const std::vector<std::string>& output, Check check, int limit) {
+  const Colours sizes = colours_of(output);
   switch (check) {
     case Check::in_order:
-      return ok_if_all(sizes, [](const auto& s) { return steps(s, 1, 1 << 20); });
+      return ok_if_all(sizes, [](const auto& s) { return steps(s, 1, any); });
     case Check::no_losses:
       return ok_if_all(sizes, [](const auto& s) { return steps(s, 1, 1); });
-    case Check::every_tenth:
-      return ok_if_all(sizes, [](const auto& s) { return steps(s, 9, 19); });
-    case Check::two_or_three:
-      return ok_if_all(sizes, has_runs_of_two_or_three);
+    case Check::separated:
+      return ok_if_all(sizes, [=](const auto& s) { return are_separated(s, limit); });
+    case Check::short_lived:
+      return ok_if_all(sizes, [=](const auto& s) { return have_expired_in_time(s, limit); });
+    case Check::newest_kept:
+      return ok_if_all(sizes, [=](const auto& s) { return newest_are_kept(s, limit); });
     case Check::at_most_20:
-      return ok_if_all(sizes,
-                       [](const auto& s) { return *std::max_element(s.begin(), s.end()) <= 20; });
+      return ok_if_all(sizes, [](const auto& s) {
+        return std::all_of(s.begin(), s.end(), [](const Seen& one) { return one.size <= 20; });
+      });
     case Check::first_kept:
-      return ok_if_all(sizes, [](const auto& s) { return s.front() == 1; });
+      return ok_if_all(sizes, [](const auto& s) { return s.front().size == 1; });
     case Check::first_gone:
-      return ok_if_all(sizes, [](const auto& s) { return s.front() > 1; });
+      return ok_if_all(sizes, [](const auto& s) { return s.front().size > 1; });
     case Check::sizes:
       return one_or_both(different_sizes(sizes));
     case Check::colors:
@@ -118,9 +158,9 @@ std::size_t wanted(Check check) {
     case Check::first_kept:
     case Check::first_gone:
       return 1;
-    case Check::every_tenth:
+    case Check::separated:
       return 4;
-    case Check::two_or_three:
+    case Check::short_lived:
       return 12;
     case Check::ballast:
       return 10;
@@ -153,15 +193,15 @@ Code code_of_publisher(const std::vector<std::string>& output, bool prints) {
   return prints && has(output, "on_offered_deadline_missed") ? Code::deadline_missed : Code::ok;
 }
 
-Code code_of_subscriber(const std::vector<std::string>& output, Check check) {
+Code code_of_subscriber(const std::vector<std::string>& output, Check check, int limit) {
   if (has(output, "not supported")) return Code::unsupported;
   if (!has(output, "Create reader for topic")) return Code::not_created;
   if (has(output, "on_requested_incompatible_qos")) return Code::incompatible_qos;
   if (check == Check::deadline && has(output, "on_requested_deadline_missed")) {
     return Code::deadline_missed;
   }
-  if (sizes_of(output).empty()) return Code::data_not_received;
-  return checked(output, check);
+  if (colours_of(output).empty()) return Code::data_not_received;
+  return checked(output, check, limit);
 }
 
 bool is_enough(const std::vector<std::string>& output, Check check) {
@@ -169,7 +209,7 @@ bool is_enough(const std::vector<std::string>& output, Check check) {
   if (check == Check::deadline) return has(output, "deadline_missed");
   if (check == Check::no_writers) return count_of(output, "NO_WRITERS") >= 4;
   if (check == Check::disposed) return count_of(output, "NOT_ALIVE") >= 4;
-  const auto sizes = sizes_of(output);
+  const Colours sizes = colours_of(output);
   return !sizes.empty() && std::all_of(sizes.begin(), sizes.end(), [check](const auto& one) {
     return one.second.size() >= wanted(check);
   });

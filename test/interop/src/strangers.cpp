@@ -15,9 +15,9 @@
 
 #include "command_line/run_to_end.hpp"
 #include "foundation/error.hpp"
+#include "idl_support/raw_type.hpp"
 #include "keystore/keystore.hpp"
-#include "link/raw_type.hpp"
-#include "link/relay.hpp"
+#include "runtime/testing/relay.hpp"
 #include "secured_cyclone.hpp"
 #include "tocsin_idl/topics.hpp"
 #include "within.hpp"

@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Goals, feedback, cancellation and results of actions as clients and servers of rclcpp and rclpy
-// send them over rmw_fastrtps and rmw_cyclonedds, against our ends. Neither is installed here: the
-// bytes are written down here from their interface files and the layout of XCDR1.
+// Goals, feedback, cancellation and results of actions as clients of rclcpp and rclpy send them
+// over rmw_fastrtps, against our server. It is not installed here: the bytes are written down from
+// the interface files and the layout of XCDR1. How rmw_cyclonedds frames services: services_test.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <mutex>
 
-#include "cyclone_service.hpp"
 #include "fibonacci.hpp"
-#include "headed_services.h"
 #include "runtime/action_port.hpp"
 #include "within.hpp"
 
 namespace tocsin::interop {
 namespace {
 
-using ::testing::ElementsAre;
 int next_domain() {
   static int last = 139;
   return ++last;
@@ -155,88 +152,6 @@ TEST_F(OurServer, CancelsAGoalOfRmwFastrtps) {
   EXPECT_EQ(result, joined({{5, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0}})) << "CANCELED";
   const Bytes again = answer(cancels, joined({id, no_stamp}));
   EXPECT_EQ(again, joined({{3, 0, 0, 0, 0, 0, 0, 0}})) << "ERROR_GOAL_TERMINATED";
-}
-
-class CycloneGoals : public CycloneService<headed_SendGoalResponse, headed_SendGoalRequest> {
- public:
-  explicit CycloneGoals(int domain)
-      : CycloneService(domain, headed_SendGoalRequest_desc, goal_request,
-                       headed_SendGoalResponse_desc, goal_reply) {}
-};
-
-class CycloneResults : public CycloneService<headed_GetResultResponse, headed_GetResultRequest> {
- public:
-  explicit CycloneResults(int domain)
-      : CycloneService(domain, headed_GetResultRequest_desc, result_request,
-                       headed_GetResultResponse_desc, result_reply) {}
-};
-
-class CycloneCancels : public CycloneService<headed_CancelGoalResponse, headed_CancelGoalRequest> {
- public:
-  explicit CycloneCancels(int domain)
-      : CycloneService(domain, headed_CancelGoalRequest_desc, cancel_request,
-                       headed_CancelGoalResponse_desc, cancel_reply) {}
-};
-
-TEST_F(OurServer, CancelsAGoalOfRmwCyclonedds) {
-  FastClient goals(domain_, goal_request, goal_reply);
-  ASSERT_TRUE(eventually([&] { return goals.is_connected(); }));
-  ASSERT_EQ(answer(goals, joined({id, {100, 0, 0, 0}}))[4], 1);
-  CycloneCancels cancels(domain_);
-  ASSERT_TRUE(eventually([&] { return cancels.is_connected(); }));
-  headed_CancelGoalRequest asked{79, 5, {}, 0, 0};
-  std::copy(id.begin(), id.end(), asked.goal_id);
-  cancels.write(asked);
-  bool came = false;
-  ASSERT_TRUE(eventually([&] {
-    sut_.tick(bus_->now());
-    cancels.take([&](const headed_CancelGoalResponse& reply) {
-      came = true;
-      EXPECT_EQ(reply.client, 79U);
-      EXPECT_EQ(reply.number, 5);
-      EXPECT_EQ(reply.return_code, 0);
-      ASSERT_EQ(reply.goals_canceling._length, 1U);
-      const auto& goal = reply.goals_canceling._buffer[0];
-      EXPECT_TRUE(std::equal(id.begin(), id.end(), goal.goal_id));
-      EXPECT_GT(goal.sec, 0);
-    });
-    return came;
-  }));
-}
-
-TEST_F(OurServer, WorksOnAGoalOfRmwCyclonedds) {
-  std::optional<CycloneGoals> goals(domain_);
-  ASSERT_TRUE(eventually([&] { return goals->is_connected(); }));
-  headed_SendGoalRequest goal{77, 1, {}, 1};
-  std::copy(id.begin(), id.end(), goal.goal_id);
-  goals->write(goal);
-  bool accepted = false;
-  ASSERT_TRUE(eventually([&] {
-    sut_.tick(bus_->now());
-    goals->take([&](const headed_SendGoalResponse& reply) {
-      accepted = reply.client == 77 && reply.number == 1 && reply.accepted && reply.sec > 0;
-    });
-    return accepted;
-  }));
-  goals.reset();
-  CycloneResults results(domain_);
-  ASSERT_TRUE(eventually([&] { return results.is_connected(); }));
-  headed_GetResultRequest asked{78, 9, {}};
-  std::copy(id.begin(), id.end(), asked.goal_id);
-  results.write(asked);
-  sut_.step(bus_->now());
-  std::vector<std::int32_t> numbers;
-  ASSERT_TRUE(eventually([&] {
-    sut_.tick(bus_->now());
-    results.take([&](const headed_GetResultResponse& reply) {
-      EXPECT_EQ(reply.client, 78U);
-      EXPECT_EQ(reply.number, 9);
-      EXPECT_EQ(reply.status, 4);
-      numbers.assign(reply.numbers._buffer, reply.numbers._buffer + reply.numbers._length);
-    });
-    return !numbers.empty();
-  }));
-  EXPECT_THAT(numbers, ElementsAre(0, 1, 1));
 }
 
 }  // namespace

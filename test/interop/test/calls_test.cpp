@@ -140,21 +140,5 @@ TEST_F(Calls, AServerOfRmwCycloneddsAnswersClientsOfBothMakersOnAnotherHost) {
   });
 }
 
-TEST_F(Calls, WhoServesAndWhoCallsIsKnownByNameAndType) {
-  const FastDdsService server(vehicle, replies, requests);
-  const CycloneClient client(station);
-  std::optional<HostService> served;
-  std::optional<HostService> called;
-  EXPECT_TRUE(eventually([&] {
-    while (const auto event = vehicle_services().take()) {
-      if (const auto* one = std::get_if<host_service_event::Server>(&*event)) served = one->what;
-    }
-    while (const auto event = station_services().take()) {
-      if (const auto* one = std::get_if<host_service_event::Client>(&*event)) called = one->what;
-    }
-    return served == lamp && called == lamp;
-  }));
-}
-
 }  // namespace
 }  // namespace tocsin::interop

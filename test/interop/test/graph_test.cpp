@@ -11,7 +11,9 @@
 #include "cyclone.hpp"
 #include "rmw_dds_common.h"
 #include "ros_idl/std_msgs.hpp"
+#include "runtime/host_control.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
+#include "runtime/middleware/host_graph.hpp"
 #include "within.hpp"
 
 namespace tocsin::interop {
@@ -43,7 +45,7 @@ class Process {
     readers_.push_back(bus_->subscribe(of("listener"), unheard_));
   }
   /// What a container does now and then.
-  void update() { bus_->update_graph(); }
+  void update() { bus_->host_control().update_graph(); }
 
  private:
   static BusOptions options(int domain) {
@@ -86,17 +88,13 @@ class DiscoveryReader {
     dds_qset_durability(qos.get(), DDS_DURABILITY_TRANSIENT_LOCAL);
     dds_qset_history(qos.get(), DDS_HISTORY_KEEP_ALL, 0);
     dds_qset_userdata(qos.get(), user_data.data(), user_data.size());
-    reader_ = cyclone.reader(cyclone.topic(type, discovery_topic, discovery_type), qos);
+    reader_ = cyclone.reader(cyclone.topic(type, "ros_discovery_info",
+                                           "rmw_dds_common::msg::dds_::ParticipantEntitiesInfo_"),
+                             qos);
   }
   /// Of the last sample.
   [[nodiscard]] Nodes nodes() {
-    void* sample = nullptr;
-    dds_sample_info_t info{};
-    while (dds_take(reader_, &sample, &info, 1, 1) == 1) {
-      if (info.valid_data) last_ = read(*static_cast<const Info*>(sample));
-      (void)dds_return_loan(reader_, &sample, 1);
-      sample = nullptr;
-    }
+    take_all<Info>(reader_, [this](const Info& info) { last_ = read(info); });
     return last_;
   }
 
@@ -135,19 +133,12 @@ std::optional<Heard> heard_end(const CycloneParticipant& cyclone, dds_entity_t k
                                const std::string& topic) {
   const dds_entity_t reader = checked(dds_create_reader(cyclone.entity(), kind, nullptr, nullptr));
   std::optional<Heard> found;
-  void* sample = nullptr;
-  dds_sample_info_t info{};
-  while (dds_take(reader, &sample, &info, 1, 1) == 1) {
-    const auto& end = *static_cast<const dds_builtintopic_endpoint_t*>(sample);
-    if (info.valid_data && topic == end.topic_name) {
-      Heard heard;
-      std::copy_n(end.key.v, heard.gid.size(), heard.gid.begin());
-      heard.user_data = user_data_of(end.qos);
-      found = heard;
-    }
-    (void)dds_return_loan(reader, &sample, 1);
-    sample = nullptr;
-  }
+  take_all<dds_builtintopic_endpoint_t>(reader, [&](const auto& end) {
+    if (topic != end.topic_name) return;
+    found.emplace();
+    std::copy_n(end.key.v, found->gid.size(), found->gid.begin());
+    found->user_data = user_data_of(end.qos);
+  });
   (void)dds_delete(reader);
   return found;
 }
@@ -157,14 +148,8 @@ std::vector<std::string> heard_participants(const CycloneParticipant& cyclone) {
   const dds_entity_t reader = checked(
       dds_create_reader(cyclone.entity(), DDS_BUILTIN_TOPIC_DCPSPARTICIPANT, nullptr, nullptr));
   std::vector<std::string> all;
-  void* sample = nullptr;
-  dds_sample_info_t info{};
-  while (dds_take(reader, &sample, &info, 1, 1) == 1) {
-    const auto& participant = *static_cast<const dds_builtintopic_participant_t*>(sample);
-    if (info.valid_data) all.push_back(user_data_of(participant.qos));
-    (void)dds_return_loan(reader, &sample, 1);
-    sample = nullptr;
-  }
+  take_all<dds_builtintopic_participant_t>(
+      reader, [&](const auto& participant) { all.push_back(user_data_of(participant.qos)); });
   (void)dds_delete(reader);
   return all;
 }

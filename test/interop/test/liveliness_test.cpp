@@ -9,6 +9,7 @@
 
 #include "cyclone.hpp"
 #include "foundation/temporary_folder.hpp"
+#include "runtime/host_control.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
 #include "std_msgs.h"
 #include "within.hpp"
@@ -64,7 +65,7 @@ class Both {
     (void)publication_->write(std::make_shared<Message>());
   }
   [[nodiscard]] bool match() const {
-    const auto health = bus_->health();
+    const auto health = bus_->host_control().health();
     return std::count_if(health.begin(), health.end(),
                          [](const EndpointHealth& one) { return one.matched == 1; }) == 2;
   }
@@ -80,7 +81,7 @@ class Both {
     return alive_for_cyclone_;
   }
   [[nodiscard]] int lost_by_ours() const {
-    for (const EndpointHealth& one : bus_->health()) {
+    for (const EndpointHealth& one : bus_->host_control().health()) {
       if (one.topic == "theirs") return static_cast<int>(one.liveliness_lost);
     }
     return -1;

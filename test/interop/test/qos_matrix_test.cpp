@@ -14,6 +14,7 @@
 
 #include "cyclone.hpp"
 #include "qos_cases.hpp"
+#include "runtime/host_control.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
 #include "std_msgs.h"
 #include "within.hpp"
@@ -145,9 +146,9 @@ std::unique_ptr<Bus> make_bus(const std::vector<Case>& cases) {
   return make_fast_dds_bus(options);
 }
 
-std::map<std::string, EndpointHealth> health_of(const Bus& bus) {
+std::map<std::string, EndpointHealth> health_of(Bus& bus) {
   std::map<std::string, EndpointHealth> by_topic;
-  for (EndpointHealth& one : bus.health()) by_topic[one.topic] = std::move(one);
+  for (EndpointHealth& one : bus.host_control().health()) by_topic[one.topic] = std::move(one);
   return by_topic;
 }
 
@@ -174,7 +175,7 @@ std::string table(const std::vector<Case>& cases) {
 }
 
 /// Where one of the makers has decided otherwise than the specification, so far.
-std::vector<std::string> differences(const Bus& bus, const std::list<Pairs>& all) {
+std::vector<std::string> differences(Bus& bus, const std::list<Pairs>& all) {
   std::vector<std::string> found;
   const auto health = health_of(bus);
   for (const Pairs& one : all) {

@@ -52,23 +52,61 @@ TEST(ShapeCases, ASubscriberIsJudgedByItsSamples) {
   EXPECT_EQ(judged({1, 2}, Check::first_gone), Code::data_not_correct);
 }
 
-TEST(ShapeCases, EveryTenthMeansAStepOfNineToNineteen) {
-  EXPECT_EQ(judged({1, 2, 11, 30}, Check::every_tenth), Code::ok);
-  EXPECT_EQ(judged({1, 2, 10}, Check::every_tenth), Code::data_not_correct);
-  EXPECT_EQ(judged({1, 2, 22}, Check::every_tenth), Code::data_not_correct);
+/// A sample of this size, with its stamp and when it was read.
+struct Stamped {
+  int size;
+  int stamp_ms;
+  int read_ms;
+};
+
+Code judged(const std::vector<Stamped>& all, Check check, int limit) {
+  Lines lines = samples({});
+  for (const Stamped& one : all) {
+    lines.push_back("Square BLUE 001 002 [" + std::to_string(one.size) + "] @" +
+                    std::to_string(one.stamp_ms) + "000000 " + std::to_string(one.read_ms) +
+                    "000000");
+  }
+  lines.insert(lines.begin(), "Create reader for topic: Square");
+  return code_of_subscriber(lines, check, limit);
 }
 
-TEST(ShapeCases, RunsOfTwoOrThreeBetweenGaps) {
-  EXPECT_EQ(judged({1, 5, 6, 9, 10, 11, 15}, Check::two_or_three), Code::ok);
-  EXPECT_EQ(judged({1, 5, 9, 10, 15}, Check::two_or_three), Code::data_not_correct)
-      << "a run of one";
-  EXPECT_EQ(judged({1, 5, 6, 7, 8, 15}, Check::two_or_three), Code::data_not_correct);
-  EXPECT_EQ(judged({1, 2, 3, 4, 5, 6}, Check::two_or_three), Code::data_not_correct)
-      << "nothing has expired";
+struct Judged {
+  Check check;
+  int limit;
+  Code code;
+};
+constexpr Judged apart{Check::separated, 1000, Code::ok};
+constexpr Judged not_apart{Check::separated, 1000, Code::data_not_correct};
+constexpr Judged brief{Check::short_lived, 250, Code::ok};
+constexpr Judged not_brief{Check::short_lived, 250, Code::data_not_correct};
+constexpr Judged newest{Check::newest_kept, 2, Code::ok};
+constexpr Judged not_newest{Check::newest_kept, 2, Code::data_not_correct};
+
+struct Row {
+  const char* what;
+  Judged as;
+  std::vector<Stamped> seen;
+};
+const Row rows[] = {
+    {"late writer", apart, {{1, 0, 1}, {2, 9, 9}, {11, 1009, 1009}, {14, 2500, 2501}}},
+    {"too close", not_apart, {{1, 0, 1}, {2, 9, 9}, {11, 1008, 1009}}},
+    {"nothing dropped", not_apart, {{1, 0, 1}, {2, 9, 9}, {3, 1009, 1009}}},
+    {"a run of one", brief, {{1, 0, 90}, {5, 400, 500}, {8, 800, 1000}, {9, 900, 1000}}},
+    {"too old", not_brief, {{1, 0, 90}, {5, 400, 500}, {8, 624, 1000}, {9, 900, 1000}}},
+    {"none expired", not_brief, {{1, 0, 90}, {2, 80, 90}, {3, 380, 500}, {4, 480, 500}}},
+    {"never two", not_brief, {{1, 0, 90}, {5, 400, 500}, {8, 900, 1000}}},
+    {"a full history", newest, {{1, 0, 1}, {2, 50, 51}, {5, 200, 400}, {6, 250, 400}}},
+    {"a loss", not_newest, {{1, 0, 1}, {2, 50, 51}, {5, 200, 400}}},
+};
+
+TEST(ShapeCases, CasesOfTimeAreJudgedByStamps) {
+  for (const Row& row : rows) {
+    EXPECT_EQ(judged(row.seen, row.as.check, row.as.limit), row.as.code) << row.what;
+  }
 }
 
 TEST(ShapeCases, SizesAndColoursTellHowManyPublishersAreHeard) {
-  EXPECT_EQ(judged({20, 30, 30, 30}, Check::sizes), Code::receiving_from_one)
+  EXPECT_EQ(judged({20, 20, 20, 30}, Check::sizes), Code::receiving_from_one)
       << "the weaker one was heard before the stronger was known";
   EXPECT_EQ(judged({20, 30, 20, 30}, Check::sizes), Code::receiving_from_both);
   EXPECT_EQ(judged({1, 2}, Check::colors), Code::receiving_from_one);

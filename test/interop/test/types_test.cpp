@@ -69,13 +69,7 @@ class Echo {
   }
   /// Lets Cyclone DDS write what it has read.
   void return_all() const {
-    void* sample = nullptr;
-    dds_sample_info_t info{};
-    while (dds_take(reader_, &sample, &info, 1, 1) == 1) {
-      if (info.valid_data) (void)dds_write(writer_, sample);
-      (void)dds_return_loan(reader_, &sample, 1);
-      sample = nullptr;
-    }
+    take_all<char>(reader_, [this](const char& sample) { (void)dds_write(writer_, &sample); });
   }
   [[nodiscard]] std::size_t sent() const { return sent_.size(); }
   [[nodiscard]] std::size_t returned() {

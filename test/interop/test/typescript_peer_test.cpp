@@ -17,6 +17,7 @@
 #include <ros_idl/std_msgs.hpp>
 
 #include "peer_process.hpp"
+#include "runtime/host_control.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
 
 namespace tocsin::interop {
@@ -77,7 +78,7 @@ class Vehicle {
     map->info().resolution(0.05F);
     map->data({0, 100, -1, 0, 0, 100});
     (void)map_->write(map);
-    bus_->update_graph();
+    bus_->host_control().update_graph();
   }
 
  private:

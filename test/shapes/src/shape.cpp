@@ -77,6 +77,10 @@ std::string sample_line(const std::string& topic, const Shape& shape) {
                      shape.size, payload);
 }
 
+std::string stamps_text(std::int64_t stamp_ns, std::int64_t read_ns) {
+  return fmt::format(" @{} {}", stamp_ns, read_ns);
+}
+
 std::string instance_line(const std::string& topic, const std::string& color, const char* state) {
   return fmt::format("{:<10} {:<10} {}", topic, color, state);
 }

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "foundation/temporary_folder.hpp"
+#include "runtime/host_control.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
 
 namespace tocsin::shapes {
@@ -88,8 +89,8 @@ void tell(const EndpointHealth& end, const Event& event) {
 
 }  // namespace
 
-void EventPrinter::look(const Bus& bus) {
-  for (const EndpointHealth& one : bus.health()) {
+void EventPrinter::look(Bus& bus) {
+  for (const EndpointHealth& one : bus.host_control().health()) {
     Seen& seen = seen_[one.topic];
     tell(one, {one.matched != seen.matched, "on_publication_matched", "on_subscription_matched",
                fmt::format("matched {} (change = {})", one.matched, one.matched - seen.matched)});

@@ -30,7 +30,7 @@ using ShapeType = shapes_msgs::ShapeType;
 /// QoS, missed deadlines.
 class EventPrinter {
  public:
-  void look(const Bus& bus);
+  void look(Bus& bus);
 
  private:
   struct Seen {

@@ -82,6 +82,7 @@ void declare_rest(CLI::App& app, ShapeOptions& options, Words& words) {
       ->check(at_least_zero());
   app.add_option("--size-modulo", options.size_modulo, "a growing size starts again after this")
       ->check(above_zero());
+  app.add_flag("--stamps", options.stamps, "print when a sample was stamped and read");
   app.add_flag("-R", options.reads, "read() instead of take()");
   app.add_option("--write-period", words.write_period_ms, "[ms] [33]")->check(at_least_zero());
   app.add_option("--read-period", words.read_period_ms, "[ms] [100]")->check(at_least_zero());

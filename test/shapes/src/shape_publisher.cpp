@@ -15,7 +15,7 @@ namespace {
 constexpr Duration look = std::chrono::milliseconds(10);
 
 /// Looks at the ends while it waits.
-void wait(const Bus& bus, EventPrinter& events, double s, const std::function<bool()>& is_over) {
+void wait(Bus& bus, EventPrinter& events, double s, const std::function<bool()>& is_over) {
   const Time end = bus.now() + seconds(s);
   do {
     events.look(bus);

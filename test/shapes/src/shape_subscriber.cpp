@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -36,7 +37,7 @@ class Reader : private Receiver {
       const std::lock_guard<std::mutex> lock(mutex_);
       samples = options_.reads ? cache_.read(now) : cache_.take(now);
     }
-    for (const Sample& sample : samples) print(sample);
+    for (const Sample& sample : samples) print(sample, now);
   }
 
  private:
@@ -51,11 +52,16 @@ class Reader : private Receiver {
     const std::lock_guard<std::mutex> lock(mutex_);
     cache_.add(sample, writer ? seconds(writer->lifespan_s) : Duration::max());
   }
-  void print(const Sample& sample) {
+  void print(const Sample& sample, Time now) {
     if (sample.message) {
       const Shape shape = shape_of(*static_cast<const ShapeType*>(sample.message.get()));
       colors_[sample.instance] = shape.color;
-      return say(sample_line(topic_, shape));
+      std::string line = sample_line(topic_, shape);
+      if (options_.stamps) {
+        line +=
+            stamps_text(sample.received.time_since_epoch().count(), now.time_since_epoch().count());
+      }
+      return say(line);
     }
     const char* const state = sample.state == InstanceState::disposed
                                   ? "NOT_ALIVE_DISPOSED_INSTANCE_STATE"

@@ -10,6 +10,7 @@
 #include <mutex>
 #include <thread>
 
+#include "runtime/host_control.hpp"
 #include "runtime/port.hpp"
 #include "shape_bus.hpp"
 
@@ -75,48 +76,14 @@ class Keys : public ::testing::Test {
     options.qos.history = History::keep_all;
     return options;
   }
-  static bool is_matched(const Bus& bus) {
-    const auto health = bus.health();
+  static bool is_matched(Bus& bus) {
+    const auto health = bus.host_control().health();
     return std::any_of(health.begin(), health.end(),
                        [](const EndpointHealth& one) { return one.matched > 0; });
   }
 };
 
 const Endpoint square = shape_endpoint("Square");
-
-TEST_F(Keys, ADisposedInstanceIsToldToOthersAndToReadersOfTheSameProcess) {
-  const ShapeOptions both = options();
-  const auto a = make_shape_bus(both);
-  const auto b = make_shape_bus(both);
-  Notes far;
-  Notes near;
-  const auto writer = a->advertise(square);
-  const auto reader = b->subscribe(square, far);
-  ASSERT_TRUE(eventually([&] { return is_matched(*a) && is_matched(*b); }));
-  const auto reader_beside = a->subscribe(square, near);
-  EXPECT_EQ(writer->write(shape("RED", 1)), Status::ok);
-  EXPECT_EQ(writer->write(shape("BLUE", 2)), Status::ok);
-  EXPECT_EQ(writer->end_instance(shape("RED", 0), InstanceState::disposed), Status::ok);
-  EXPECT_TRUE(eventually([&] { return far.seen().size() == 3; }));
-  EXPECT_THAT(far.seen(), Contains("RED disposed"));
-  EXPECT_THAT(far.seen(), Not(Contains("BLUE disposed")));
-  EXPECT_THAT(near.seen(), ElementsAre("RED1", "BLUE2", "RED disposed"));
-}
-
-TEST_F(Keys, AnInstanceHasNoWritersOnceAllHaveUnregisteredItOrAreGone) {
-  const ShapeOptions both = options();
-  const auto a = make_shape_bus(both);
-  const auto b = make_shape_bus(both);
-  Notes notes;
-  const auto one = a->advertise(square);
-  const auto reader = b->subscribe(square, notes);
-  ASSERT_TRUE(eventually([&] { return is_matched(*a) && is_matched(*b); }));
-  EXPECT_EQ(one->write(shape("RED", 1)), Status::ok);
-  EXPECT_EQ(one->write(shape("BLUE", 2)), Status::ok);
-  EXPECT_EQ(one->end_instance(shape("RED", 0), InstanceState::no_writers), Status::ok);
-  EXPECT_TRUE(eventually([&] { return notes.seen().size() == 3; }));
-  EXPECT_THAT(notes.seen(), Contains("RED no writers"));
-}
 
 TEST_F(Keys, AWriterThatIsGoneLeavesItsInstancesWithoutWriters) {
   const ShapeOptions both = options();
@@ -169,43 +136,6 @@ TEST_F(Keys, AnInstanceThatWasNeverWrittenCannotEnd) {
   const auto reader = bus->subscribe(square, notes);
   (void)writer->end_instance(shape("BLUE", 0), InstanceState::disposed);
   EXPECT_THAT(notes.seen(), IsEmpty());
-}
-
-/// A topic as components have it.
-struct Squares {
-  using Message = ShapeType;
-  static constexpr TopicInfo info{"Square", "shape", Scope::host};
-};
-
-class Watcher : public Component {
- public:
-  explicit Watcher(Context& context) : Component(context) {}
-  void tick(Time) override {}
-  KeyedInput<Squares> squares{*this};
-  Input<Squares> samples{*this};
-};
-
-TEST_F(Keys, AnInputTellsInstancesApartAndHearsTheirEnds) {
-  const auto bus = make_shape_bus(options());
-  Context context(*bus, "watcher", Role::uxv);
-  Watcher watcher(context);
-  const auto writer = bus->advertise({Squares::info, &type_info<ShapeType>()});
-  EXPECT_EQ(writer->write(shape("RED", 1)), Status::ok);
-  EXPECT_EQ(writer->write(shape("BLUE", 2)), Status::ok);
-  EXPECT_EQ(writer->write(shape("RED", 3)), Status::ok);
-  (void)writer->end_instance(shape("RED", 0), InstanceState::disposed);
-  const auto red = watcher.squares.take();
-  const auto blue = watcher.squares.take();
-  const auto again = watcher.squares.take();
-  const auto end = watcher.squares.take();
-  ASSERT_TRUE(red && blue && again && end);
-  EXPECT_EQ(red->instance, again->instance);
-  EXPECT_NE(red->instance, blue->instance);
-  EXPECT_EQ(end->instance, red->instance);
-  EXPECT_EQ(end->state, InstanceState::disposed);
-  EXPECT_EQ(end->message, nullptr);
-  for (const int size : {1, 2, 3}) EXPECT_EQ(watcher.samples.take()->shapesize(), size);
-  EXPECT_EQ(watcher.samples.take(), nullptr) << "a plain input hears samples only";
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two programs as the suite starts them, on real DDS, a domain for each test.
+// The program as the suite starts it. What it prints beside another one: shapes_test of
+// test/interop.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -18,7 +19,6 @@ namespace {
 
 using ::testing::Each;
 using ::testing::HasSubstr;
-using ::testing::Not;
 
 class Program {
  public:
@@ -42,14 +42,6 @@ class Program {
     }
     return text_;
   }
-  [[nodiscard]] bool says(const std::string& text) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(15);
-    while (output().find(text) == std::string::npos) {
-      if (std::chrono::steady_clock::now() > end) return false;
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    return true;
-  }
   /// Ends it as the suite does; its exit code.
   int end() {
     if (child_.pid <= 0) return code_;
@@ -67,39 +59,6 @@ class Program {
   std::string text_;
   int code_ = -1;
 };
-
-TEST(ShapesProgram, PrintsWhatTheSuiteWaitsFor) {
-  Program publisher("-P -t Square -w", 221);
-  Program subscriber("-S -t Square", 221);
-  EXPECT_TRUE(subscriber.says("[20]"));
-  EXPECT_TRUE(publisher.says("on_publication_matched() topic: 'Square'"));
-  EXPECT_TRUE(subscriber.says("on_subscription_matched() topic: 'Square'"));
-  EXPECT_THAT(publisher.output(), HasSubstr("Create writer for topic: Square color: BLUE"));
-  EXPECT_THAT(publisher.output(), HasSubstr("Square     BLUE"));
-  EXPECT_THAT(subscriber.output(), HasSubstr("Create reader for topic: Square"));
-  EXPECT_EQ(subscriber.end(), 0);
-  EXPECT_THAT(subscriber.output(), HasSubstr("Done."));
-}
-
-TEST(ShapesProgram, IncompatibleQosIsSaidByBoth) {
-  Program publisher("-P -t Square -b", 222);
-  Program subscriber("-S -t Square -r", 222);
-  EXPECT_TRUE(publisher.says("on_offered_incompatible_qos() topic: 'Square'"));
-  EXPECT_TRUE(subscriber.says("on_requested_incompatible_qos() topic: 'Square'"));
-  EXPECT_THAT(subscriber.output(), Not(HasSubstr("[20]")));
-}
-
-TEST(ShapesProgram, TheEndsOfInstancesAreSaidWithTheirColours) {
-  Program subscriber("-S -t Square -k 0", 223);
-  ASSERT_TRUE(subscriber.says("Create reader"));
-  Program publisher(
-      "-P -t Square -k 0 -c RED --num-instances 2 --num-iterations 60 "
-      "--final-instance-state d",
-      223);
-  EXPECT_TRUE(subscriber.says("Square     RED        NOT_ALIVE_DISPOSED_INSTANCE_STATE"));
-  EXPECT_TRUE(subscriber.says("Square     RED1       NOT_ALIVE_DISPOSED_INSTANCE_STATE"));
-  EXPECT_EQ(publisher.wait(), 0);
-}
 
 /// Takes until `is_over` holds; whether it came to hold.
 template <class Condition>

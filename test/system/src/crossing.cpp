@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 #include <signal.h>
-#include <sys/mman.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,8 +10,6 @@
 #include <atomic>
 #include <chrono>
 #include <fstream>
-#include <new>
-#include <stdexcept>
 #include <thread>
 
 #include "ros_idl/std_msgs.hpp"
@@ -56,25 +53,34 @@ std::int64_t wall_now_ns() {
       .count();
 }
 
-std::string standing_mission(const std::string& folder, const std::string& more) {
-  std::ofstream(folder + "/crossing_traffic.yaml")
-      << "extends: traffic.yaml\n"
-         "uxv:\n"
-         "  critical: {topics: [crossing/up]}\n"
-         "  high: {while_poor: latest, topics: [crossing/latest]}\n"
-         "  low: {topics: [crossing/image]}\n"
-         "gcs: {critical: {topics: [crossing/down, crossing/large]}}\n";
-  const std::string file = folder + "/crossing.yaml";
+std::string standing(const std::string& folder, const std::string& traffic,
+                     const std::string& more) {
+  std::ofstream(folder + "/standing_traffic.yaml") << traffic;
+  std::string file = folder + "/standing.yaml";
   std::ofstream(file) << "extends: mission.yaml\n"
-                         "traffic: crossing_traffic.yaml\n"
+                         "traffic: standing_traffic.yaml\n"
                          "stop_when_exits: ~\n"
                          "hosts:\n"
-                         "  gcs:\n"
-                         "    containers:\n"
-                         "      - mission: ~\n"
-                         "      - view: ~\n"
+                         "  gcs: {containers: [{mission: ~}, {view: ~}]}\n"
                       << more;
   return file;
+}
+
+std::string standing_mission(const std::string& folder, const std::string& more) {
+  return standing(folder,
+                  "extends: traffic.yaml\n"
+                  "uxv:\n"
+                  "  critical: {topics: [crossing/up]}\n"
+                  "  high: {while_poor: latest, topics: [crossing/latest]}\n"
+                  "  low: {topics: [crossing/image]}\n"
+                  "gcs: {critical: {topics: [crossing/down, crossing/large]}}\n",
+                  more);
+}
+
+bool routers_run(const Stack& stack) {
+  return Stack::eventually(std::chrono::seconds(60), [&] {
+    return stack.pid("uxv/link") != 0 && stack.pid("gcs/link") != 0;
+  });
 }
 
 struct Crossings::Log : Receiver {
@@ -88,19 +94,14 @@ struct Crossings::Log : Receiver {
   std::array<Crossed, most_crossed> crossed{};
 };
 
-Crossings::Crossings(pid_t vehicle, pid_t station, int domain) {
-  void* const memory = mmap(nullptr, 2 * sizeof(Log), PROT_READ | PROT_WRITE,
-                            MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-  if (memory == MAP_FAILED) throw std::runtime_error("no shared memory");
-  logs_ = static_cast<Log*>(memory);
-  new (logs_) Log;
-  new (logs_ + 1) Log;
+Crossings::Crossings(pid_t vehicle, pid_t station, int domain)
+    : logs_(std::make_unique<Shared<std::array<Log, 2>>>()) {
   const std::string qos_file = folder_.write(
       "qos.yaml", fmt::format("crossing: {{reliability: reliable, lifespan_s: {}}}\n", lifespan_s));
   const auto peer = [this, &qos_file](pid_t process, int host_domain, Way from, Way to) {
     peers_.push_back(std::make_unique<Peer>(process, on_host(host_domain, qos_file),
                                             [from](Bus& bus) { write_for_ever(bus, from); }));
-    Log& log = logs_[static_cast<std::size_t>(to)];
+    Log& log = (*logs_)->at(static_cast<std::size_t>(to));
     peers_.push_back(
         std::make_unique<Peer>(process, on_host(host_domain, qos_file), [to, &log](Bus& bus) {
           const auto reader = bus.subscribe(endpoint(to), log);
@@ -111,12 +112,11 @@ Crossings::Crossings(pid_t vehicle, pid_t station, int domain) {
   peer(station, domain + 1, Way::down, Way::up);
 }
 
-Crossings::~Crossings() {
-  peers_.clear();
-  munmap(logs_, 2 * sizeof(Log));
-}
+Crossings::~Crossings() { peers_.clear(); }
 
-const Crossings::Log& Crossings::log(Way way) const { return logs_[static_cast<std::size_t>(way)]; }
+const Crossings::Log& Crossings::log(Way way) const {
+  return (*logs_)->at(static_cast<std::size_t>(way));
+}
 
 std::vector<Crossed> Crossings::all(Way way) const {
   const Log& from = log(way);

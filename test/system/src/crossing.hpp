@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -9,6 +10,7 @@
 
 #include "foundation/temporary_folder.hpp"
 #include "peer.hpp"
+#include "shared.hpp"
 #include "stack.hpp"
 
 namespace tocsin {
@@ -22,11 +24,16 @@ struct Crossed {
 /// DDS domain of the vehicle in a standing mission; the station's is the next, the link's follows.
 constexpr int standing_domain = 40;
 
-/// Writes a bringup file that is bringup/mission.yaml without mission and live view, with a traffic
-/// file in which the topics of Crossings are of class critical, and the vehicle's crossing/latest
-/// (kept while poor) and crossing/image (dropped) of high and low. `more` is its end: first keys of
-/// `hosts`, indented, then others. Returns its path.
+/// Writes a bringup file that is bringup/mission.yaml without mission and live view, with this
+/// traffic file. `more` is its end: first keys of `hosts`, indented, then others. Returns its path.
+[[nodiscard]] std::string standing(const std::string& folder, const std::string& traffic,
+                                   const std::string& more = "");
+/// The same with a traffic file in which the topics of Crossings are of class critical, and the
+/// vehicle's crossing/latest (kept while poor) and crossing/image (dropped) of high and low.
 [[nodiscard]] std::string standing_mission(const std::string& folder, const std::string& more = "");
+
+/// Whether the routers of both hosts run within a minute.
+[[nodiscard]] bool routers_run(const Stack& stack);
 
 /// Samples of class critical that go over the link both ways, 200 a second, written and read by
 /// ordinary peers of both hosts that belong to no launch.
@@ -51,7 +58,7 @@ class Crossings {
   struct Log;
   [[nodiscard]] const Log& log(Way way) const;
   TemporaryFolder folder_;
-  Log* logs_;  ///< of both ways, shared with the peers
+  const std::unique_ptr<Shared<std::array<Log, 2>>> logs_;  ///< of both ways
   std::vector<std::unique_ptr<Peer>> peers_;
 };
 

@@ -37,11 +37,6 @@ struct Figures {
   std::map<std::string, int> faults;
 };
 
-bool is_driving(const Stack& stack) {
-  const auto states = column(stack.read("uxv/navigation_status.csv"), "state");
-  return std::find(states.begin(), states.end(), "driving") != states.end();
-}
-
 int count(const std::string& text, const std::string& word) {
   int found = 0;
   for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++found;

@@ -21,6 +21,7 @@
 
 #include "foundation/csv_table.hpp"
 #include "foundation/datagram_socket.hpp"
+#include "recorded.hpp"
 
 namespace tocsin {
 namespace {
@@ -141,6 +142,10 @@ std::string Stack::path(const std::string& name) const {
 
 std::string Stack::read(const std::string& name) const { return text_of(path(name)); }
 
+std::string Stack::recorded(const std::string& side, const std::string& topic) const {
+  return recorded_fields(path(side), topic);
+}
+
 std::string Stack::output() const { return text_of(top_ + "/launch.out"); }
 
 bool Stack::logged(const std::string& text) const {
@@ -183,6 +188,11 @@ int Stack::exit_code(std::chrono::seconds limit) {
     return launcher_ <= 0;
   });
   return code_;
+}
+
+bool is_driving(const Stack& stack) {
+  const auto states = column(stack.recorded("uxv", "navigation_status"), "state");
+  return std::find(states.begin(), states.end(), "driving") != states.end();
 }
 
 std::vector<std::string> column(const std::string& csv, const std::string& name) {

@@ -48,6 +48,8 @@ class Stack {
 
   /// Whole text of a file in the run folder, empty when there is none.
   [[nodiscard]] std::string read(const std::string& name) const;
+  /// The fields of a topic that the recorder of a side has written so far, as a CSV text.
+  [[nodiscard]] std::string recorded(const std::string& side, const std::string& topic) const;
   [[nodiscard]] bool logged(const std::string& text) const;
   /// Everything that the launcher printed.
   [[nodiscard]] std::string output() const;
@@ -78,6 +80,9 @@ class Stack {
   int code_ = -1;
   bool keep_ = false;
 };
+
+/// Whether the vehicle has driven, by what it has recorded.
+[[nodiscard]] bool is_driving(const Stack& stack);
 
 /// Rows of a CSV text as cells of the named column; quoted cells may hold commas.
 [[nodiscard]] std::vector<std::string> column(const std::string& csv, const std::string& name);

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "link/forger.hpp"
+#include "runtime/testing/forger.hpp"
 #include "storm.hpp"
 
 namespace tocsin {

@@ -38,10 +38,6 @@ const std::vector<std::string> stored{"network_quality", "location", "battery_st
 const std::vector<std::string> killed{"uxv/link", "uxv/recorder", "gcs/link", "gcs/recorder",
                                       "uxv/link"};
 
-std::int64_t wall_now_ns() {
-  return std::chrono::nanoseconds(std::chrono::system_clock::now().time_since_epoch()).count();
-}
-
 std::string bringup(const TemporaryFolder& folder) {
   (void)folder.write("campaign_traffic.yaml",
                      "extends: traffic_store.yaml\n"
@@ -52,11 +48,6 @@ std::string bringup(const TemporaryFolder& folder) {
                       "traffic: campaign_traffic.yaml\n"
                       "stop_when_exits: ~\n"
                       "hosts: {gcs: {containers: [{view: ~}, {page: ~}]}}\n");
-}
-
-bool is_driving(const Stack& stack) {
-  const auto states = column(stack.read("uxv/navigation_status.csv"), "state");
-  return std::find(states.begin(), states.end(), "driving") != states.end();
 }
 
 void kill_in_outage(const Stack& stack, int outage_s) {

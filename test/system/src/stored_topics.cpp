@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stored_topics.hpp"
 
-#include <sys/mman.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <new>
 #include <set>
-#include <stdexcept>
 
 #include "foundation/error.hpp"
 #include "idl_support/topic_registry.hpp"
@@ -30,7 +27,7 @@ using Id = std::pair<Writer, std::uint64_t>;
 
 class StationReaders::Reading final : public Receiver {
  public:
-  Reading(Shared& shared, std::uint32_t topic, bool backfilled)
+  Reading(Samples& shared, std::uint32_t topic, bool backfilled)
       : shared_(shared), topic_(topic), backfilled_(backfilled) {}
   /// All readers of the process; several threads.
   void receive(const Sample& sample) override {
@@ -42,17 +39,13 @@ class StationReaders::Reading final : public Receiver {
   }
 
  private:
-  Shared& shared_;
+  Samples& shared_;
   const std::uint32_t topic_;
   const bool backfilled_;
 };
 
 StationReaders::StationReaders(pid_t station, int domain, const std::string& qos,
                                const std::vector<std::string>& topics) {
-  void* const memory =
-      mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (memory == MAP_FAILED) throw std::runtime_error("no shared memory");
-  shared_ = new (memory) Shared;
   BusOptions options;
   options.qos_file = qos;
   options.name = "station_readers";
@@ -72,11 +65,6 @@ StationReaders::StationReaders(pid_t station, int domain, const std::string& qos
     }
     for (;;) pause();
   });
-}
-
-StationReaders::~StationReaders() {
-  peer_.reset();
-  munmap(shared_, sizeof(Shared));
 }
 
 std::vector<GotSample> StationReaders::got() const {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "peer.hpp"
+#include "shared.hpp"
 
 namespace tocsin {
 
@@ -34,20 +35,17 @@ class StationReaders {
   /// Topics are of this stack, without the slash.
   StationReaders(pid_t station, int domain, const std::string& qos,
                  const std::vector<std::string>& topics);
-  ~StationReaders();
-  StationReaders(const StationReaders&) = delete;
-  StationReaders& operator=(const StationReaders&) = delete;
   [[nodiscard]] std::vector<GotSample> got() const;
 
  private:
   static constexpr std::size_t most = 1U << 18U;
-  struct Shared {
+  struct Samples {
     std::atomic<std::size_t> claimed{0};
     std::array<GotSample, most> samples{};
     std::array<std::atomic<bool>, most> written{};
   };
   class Reading;
-  Shared* shared_;
+  Shared<Samples> shared_;
   std::unique_ptr<Peer> peer_;
 };
 

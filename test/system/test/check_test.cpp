@@ -3,10 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
-
 #include "foundation/temporary_folder.hpp"
+#include "readme.hpp"
 #include "stack.hpp"
 
 namespace tocsin {
@@ -17,20 +15,6 @@ using ::testing::HasSubstr;
 
 Ended check(const std::string& arguments) {
   return run_to_end(Stack::program("tocsin_cli", "tocsin-check"), arguments);
-}
-
-/// The YAML blocks of a README, each with its first line.
-std::vector<std::string> yaml_blocks(const std::string& readme) {
-  std::istringstream lines(readme);
-  std::vector<std::string> blocks;
-  bool inside = false;
-  for (std::string line; std::getline(lines, line);) {
-    const bool fence = line.rfind("```", 0) == 0;
-    if (inside && !fence) blocks.back() += line + "\n";
-    if (fence && !inside && line == "```yaml") blocks.emplace_back();
-    if (fence) inside = !inside && line == "```yaml";
-  }
-  return blocks;
 }
 
 TEST(Check, HasNoWarningForTheShippedFiles) {
@@ -85,9 +69,11 @@ TEST(Check, LooksAtAFileWithoutContainers) {
 }
 
 TEST(Check, TheExampleOfAFileThatExtendsTheMissionIsRight) {
-  std::ostringstream readme;
-  readme << std::ifstream(TOCSIN_REPOSITORY "/components/framework/deployment/README.md").rdbuf();
-  const auto blocks = yaml_blocks(readme.str());
+  std::vector<std::string> blocks;
+  for (const auto& one :
+       readme_files(TOCSIN_REPOSITORY "/components/framework/deployment/README.md")) {
+    if (one.language == "yaml") blocks.push_back(one.text);
+  }
   ASSERT_EQ(blocks.size(), 2U);
   const TemporaryFolder folder;
   ASSERT_EQ(blocks[0].rfind("# robot.yaml:", 0), 0U);

@@ -192,9 +192,9 @@ TEST_F(EmergencyStopTest, AForeignGoalWithTheLargestIdDoesNotBlockTheMission) {
              std::string::npos;
     })) << stack_->read("log/uxv.drive.log");
   }
-  const std::size_t before = column(stack_->read("uxv/navigation_status.csv"), "goal_id").size();
+  const std::size_t before = column(stack_->recorded("uxv", "navigation_status"), "goal_id").size();
   EXPECT_TRUE(Stack::eventually(seconds(20), [&] {
-    const auto ids = column(stack_->read("uxv/navigation_status.csv"), "goal_id");
+    const auto ids = column(stack_->recorded("uxv", "navigation_status"), "goal_id");
     return ids.size() > before && ids.back() == "1";
   }));
 }

@@ -34,18 +34,13 @@ struct Window {
 class FetchRuleTest : public ::testing::Test {
  protected:
   FetchRuleTest() {
-    (void)folder_.write("traffic.yaml",
+    bringup_ = standing(folder_.path(),
                         "extends: traffic.yaml\n"
                         "uxv:\n"
                         "  low: {log: [odom]}\n"
                         "  fetch:\n"
                         "    - {when: safety_status, field: emergency_stop, topics: [odom],\n"
                         "       before_s: 5, after_s: 5}\n");
-    (void)folder_.write("fetch.yaml",
-                        "extends: mission.yaml\n"
-                        "traffic: traffic.yaml\n"
-                        "stop_when_exits: ~\n"
-                        "hosts: {gcs: {containers: [{mission: ~}, {view: ~}]}}\n");
   }
   [[nodiscard]] static Ended estop(const std::string& word) {
     return run_to_end(Stack::program("console", "tocsin-estop"), word);
@@ -81,12 +76,12 @@ class FetchRuleTest : public ::testing::Test {
     })) << stack.output();
   }
   TemporaryFolder folder_;
+  std::string bringup_;
 };
 
 TEST_F(FetchRuleTest, TenSecondsAroundAnEmergencyStopCrossOnceThoughTheRouterIsKilled) {
   // A small share, so that there is time to kill in.
-  const Stack stack(
-      {folder_.path("fetch.yaml"), "--seed", "1", "--set", "link_router.backfill_share=0.05"});
+  const Stack stack({bringup_, "--seed", "1", "--set", "link_router.backfill_share=0.05"});
   const auto has_logged = [&] {
     const auto all = logged_in(stack.path("uxv/store/history"), "odom");
     return !all.empty() && all.back().at_ns - all.front().at_ns > 6'000'000'000;

@@ -35,7 +35,7 @@ class KobukiToolTest : public ::testing::Test {
   }
   /// Runs `tocsin kobuki` to its end; its exit code.
   int tool(std::vector<std::string> words) {
-    words.insert(words.begin(), Stack::program("kobuki_driver", "tocsin-kobuki"));
+    words.insert(words.begin(), Stack::program("kobuki_tool", "tocsin-kobuki"));
     words.insert(words.end(), {"--port", folder_.path("port")});
     std::filesystem::remove(folder_.path("out"));
     return OperatorProcess(words, folder_.path("out")).exit_code(seconds(100));
@@ -57,8 +57,7 @@ TEST_F(KobukiToolTest, TellsVersionsAndBattery) {
   EXPECT_THAT(folder_.read("out"), AllOf(HasSubstr("firmware"), HasSubstr("battery")));
 }
 
-// Issue 13: "13 passed, 0 failed", exit code 0, after the cable was pulled. acceptance_test and
-// verbs_test of kobuki_driver pull it at every moment, in virtual time.
+// acceptance_test and verbs_test of kobuki_tool pull it at every moment, in virtual time.
 TEST_F(KobukiToolTest, FailsItsAcceptanceListWhenTheCableIsPulled) {
   for (const char* script : {"1 unplug", "5 unplug"}) {
     start_base(script);
@@ -89,7 +88,7 @@ TEST_F(KobukiToolTest, AsksForATerminalWhenAPersonMustAnswer) {
 
 TEST_F(KobukiToolTest, NamesAPortThatIsNotThereInOneLine) {
   OperatorProcess sut(
-      {Stack::program("kobuki_driver", "tocsin-kobuki"), "info", "--port", folder_.path("other")},
+      {Stack::program("kobuki_tool", "tocsin-kobuki"), "info", "--port", folder_.path("other")},
       folder_.path("out"));
   EXPECT_EQ(sut.exit_code(seconds(10)), 1);
 }

@@ -35,14 +35,9 @@ constexpr std::size_t at_once = 100;  ///< samples between two commits of `topic
 class LateReaderTest : public ::testing::Test {
  protected:
   LateReaderTest() {
-    (void)folder_.write("kept_traffic.yaml",
+    bringup_ = standing(folder_.path(),
                         "extends: traffic.yaml\n"
                         "uxv: {normal: {topics: [history], store: [history], keep: [history]}}\n");
-    (void)folder_.write("kept.yaml",
-                        "extends: mission.yaml\n"
-                        "traffic: kept_traffic.yaml\n"
-                        "stop_when_exits: ~\n"
-                        "hosts: {gcs: {containers: [{mission: ~}, {view: ~}]}}\n");
     qos_ = folder_.write(
         "qos.yaml", "history: {reliability: reliable, durability: transient_local, depth: 400}\n");
   }
@@ -79,6 +74,7 @@ class LateReaderTest : public ::testing::Test {
     return numbers;
   }
   TemporaryFolder folder_;
+  std::string bringup_;
   std::string qos_;
   std::unique_ptr<Peer> counting_;
 };
@@ -96,9 +92,8 @@ void expect_each_once(const std::vector<int>& first, std::vector<int> rest) {
 }
 
 TEST_F(LateReaderTest, AConsumerThatIsKilledGetsEachSampleOverAnOutageAndAKilledRouter) {
-  const Stack stack({folder_.path("kept.yaml"), "--seed", "1"});
-  const auto runs = [&] { return stack.pid("uxv/link") != 0 && stack.pid("gcs/link") != 0; };
-  ASSERT_TRUE(Stack::eventually(seconds(60), runs)) << stack.output();
+  const Stack stack({bringup_, "--seed", "1"});
+  ASSERT_TRUE(routers_run(stack)) << stack.output();
   start_counting(stack);
   std::vector<int> first;
   const auto reads = [&] {  // killed in the middle of reading

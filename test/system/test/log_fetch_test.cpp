@@ -7,6 +7,7 @@
 #include <string>
 
 #include "bag/bag_reader.hpp"
+#include "crossing.hpp"
 #include "foundation/temporary_folder.hpp"
 #include "stack.hpp"
 
@@ -18,14 +19,6 @@ using ::testing::HasSubstr;
 
 class LogFetchTest : public ::testing::Test {
  protected:
-  LogFetchTest() {
-    (void)folder_.write("traffic.yaml", "extends: traffic_log.yaml\n");
-    (void)folder_.write("log.yaml",
-                        "extends: mission.yaml\n"
-                        "traffic: traffic.yaml\n"
-                        "stop_when_exits: ~\n"
-                        "hosts: {gcs: {containers: [{mission: ~}, {view: ~}]}}\n");
-  }
   [[nodiscard]] static Ended log(const Stack& stack, const std::string& arguments) {
     const auto [verb, rest] = std::pair(arguments.substr(0, arguments.find(' ')),
                                         arguments.substr(arguments.find(' ') + 1));
@@ -36,10 +29,11 @@ class LogFetchTest : public ::testing::Test {
     return fmt::format("fetch --topic /odom {} -o {}", range, folder_.path(bag));
   }
   TemporaryFolder folder_;
+  const std::string bringup_ = standing(folder_.path(), "extends: traffic_log.yaml\n");
 };
 
 TEST_F(LogFetchTest, WhatWasNeverSentCrossesOnceAlsoWhenTheVehiclesRouterIsKilled) {
-  const Stack stack({folder_.path("log.yaml"), "--seed", "1"});
+  const Stack stack({bringup_, "--seed", "1"});
   const auto has_log = [&] {
     const Ended list = log(stack, "list --spin-time 2");
     return list.code == 0 && list.output.find("odom") != std::string::npos;

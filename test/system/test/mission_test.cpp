@@ -32,13 +32,10 @@ class MissionTest : public ::testing::Test {
   static std::size_t count(const std::vector<std::string>& cells, const std::string& wanted) {
     return static_cast<std::size_t>(std::count(cells.begin(), cells.end(), wanted));
   }
-  static bool driving(const Stack& stack) {
-    return count(column(stack.read("uxv/navigation_status.csv"), "state"), "driving") > 0;
-  }
   /// The decisions of the vehicle as the vehicle recorded them.
   static std::vector<std::string> vehicle_states(const Stack& stack) {
-    const auto roles = column(stack.read("uxv/transmission_state.csv"), "role");
-    const auto active = column(stack.read("uxv/transmission_state.csv"), "active");
+    const auto roles = column(stack.recorded("uxv", "transmission_state"), "role");
+    const auto active = column(stack.recorded("uxv", "transmission_state"), "active");
     std::vector<std::string> states;
     for (std::size_t i = 0; i < std::min(roles.size(), active.size()); ++i) {
       if (roles[i] == "uxv") states.push_back(active[i]);
@@ -46,7 +43,7 @@ class MissionTest : public ::testing::Test {
     return states;
   }
   static void expect_done(const Stack& stack) {
-    const auto states = column(stack.read("gcs/mission_status.csv"), "state");
+    const auto states = column(stack.recorded("gcs", "mission_status"), "state");
     EXPECT_GT(count(states, "done"), 0U) << "recorded: " << ::testing::PrintToString(states) << '\n'
                                          << stack.output();
   }
@@ -56,7 +53,7 @@ TEST_F(MissionTest, ATwentySecondOutagePausesResumesAndTheMissionIsCompleted) {
   auto with_policy = arguments();
   with_policy.insert(with_policy.end(), {"--set", "transmission_controller.policy=tocp_dsp"});
   Stack sut(with_policy);
-  ASSERT_TRUE(Stack::eventually(seconds(60), [&] { return driving(sut); })) << sut.output();
+  ASSERT_TRUE(Stack::eventually(seconds(60), [&] { return is_driving(sut); })) << sut.output();
   sut.control("radio.sock", "set outage 20");
   ASSERT_EQ(sut.exit_code(seconds(180)), 0) << sut.output();
   expect_done(sut);
@@ -71,7 +68,7 @@ TEST_F(MissionTest, NothingOfTheVehicleOnlyTopicsCrossesTheRadio) {
   ASSERT_TRUE(Stack::eventually(seconds(60), [&] { return sut.pid("gcs/link") != 0; }));
   const PacketTap tap(sut.pid("gcs/link"));
   if (!tap.ok()) GTEST_SKIP() << "the namespace of the ground station cannot be entered";
-  ASSERT_TRUE(Stack::eventually(seconds(60), [&] { return driving(sut); })) << sut.output();
+  ASSERT_TRUE(Stack::eventually(seconds(60), [&] { return is_driving(sut); })) << sut.output();
   // Names cross only when participants meet, which may have been before the tap was open.
   kill(sut.pid("gcs/recorder"), SIGKILL);
   ASSERT_TRUE(Stack::eventually(seconds(20), [&] { return tap.saw("rt/location"); }));
@@ -82,7 +79,7 @@ TEST_F(MissionTest, NothingOfTheVehicleOnlyTopicsCrossesTheRadio) {
 
 TEST_F(MissionTest, EveryProcessMayBeKilledAndTheMissionIsCompleted) {
   Stack sut(arguments());
-  ASSERT_TRUE(Stack::eventually(seconds(60), [&] { return driving(sut); })) << sut.output();
+  ASSERT_TRUE(Stack::eventually(seconds(60), [&] { return is_driving(sut); })) << sut.output();
   const auto names = sut.processes();
   ASSERT_GE(names.size(), 9U);
   for (const std::string& name : names) {

@@ -6,12 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <iostream>
-#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "foundation/temporary_folder.hpp"
@@ -27,15 +23,7 @@ using ::testing::HasSubstr;
 const std::string peer = std::string(TOCSIN_REPOSITORY) + "/test/foxglove_peer";
 constexpr const char* port = "18765";
 
-std::string output_of(const std::string& command) {
-  const std::unique_ptr<FILE, decltype(&pclose)> pipe(popen(command.c_str(), "r"), pclose);
-  std::string text;
-  std::array<char, 4096> part{};
-  while (pipe && fgets(part.data(), static_cast<int>(part.size()), pipe.get()) != nullptr) {
-    text += part.data();
-  }
-  return text;
-}
+std::string output_of(const std::string& command) { return run_to_end(command, "").output; }
 
 /// The mission with a talker beside it, whose text can be set, and a port of the test's own.
 std::string bringup_in(const TemporaryFolder& folder) {
@@ -62,7 +50,7 @@ TEST(OperatorPageTest, ClientsReadPublishSetAndCallFromOutsideOfTheEmulatedNetwo
   if (output_of("node --version 2>/dev/null").empty()) GTEST_SKIP() << "there is no node";
   const TemporaryFolder folder;
   const Stack stack({bringup_in(folder), "--seed", "1", "--without", "gcs/view"});
-  const auto is_there = [&] { return !stack.read("gcs/location.csv").empty(); };
+  const auto is_there = [&] { return !stack.recorded("gcs", "location").empty(); };
   ASSERT_TRUE(Stack::eventually(seconds(40), is_there)) << stack.output();
   EXPECT_THAT(stack.output(), HasSubstr(served));
   const std::string text = output_of("node " + peer + "/client.mjs " + port + " 3");
@@ -83,7 +71,7 @@ TEST(OperatorPageTest, ClientsReadPublishSetAndCallFromOutsideOfTheEmulatedNetwo
   EXPECT_THAT(said.at("service").at("result").at("names"), Contains("text")) << text;
   EXPECT_THAT(said.at("page").get<std::string>(), HasSubstr("<!doctype html>"));
   const auto goal_came = [&](const std::string& id) {
-    const std::string goals = stack.read("gcs/goal.csv");
+    const std::string goals = stack.recorded("gcs", "goal");
     const auto ids = column(goals, "id");
     return std::find(ids.begin(), ids.end(), id) != ids.end();
   };
@@ -100,7 +88,7 @@ TEST(OperatorPageTest, OneOfTwentyClientsThatReadsNothingHoldsUpNobody) {
   if (output_of("node --version 2>/dev/null").empty()) GTEST_SKIP() << "there is no node";
   const TemporaryFolder folder;
   const Stack stack({bringup_in(folder), "--without", "gcs/view"});
-  const auto is_there = [&] { return !stack.read("gcs/location.csv").empty(); };
+  const auto is_there = [&] { return !stack.recorded("gcs", "location").empty(); };
   ASSERT_TRUE(Stack::eventually(seconds(60), is_there)) << stack.output();
   const std::string text = output_of("node " + peer + "/crowd.mjs " + port + " 5 --pid " +
                                      std::to_string(stack.pid("gcs/page")));
@@ -125,7 +113,7 @@ TEST(OperatorPageTest, ASecondRunOnTheSamePortSaysSoAndRuns) {
   })) << first.output();
   const Stack second(arguments);
   EXPECT_TRUE(Stack::eventually(seconds(40), [&] {
-    return !second.read("gcs/location.csv").empty();
+    return !second.recorded("gcs", "location").empty();
   })) << second.output();
   EXPECT_THAT(second.output(), HasSubstr("gcs/page cannot serve http://127.0.0.1:18765/: Address "
                                          "already in use; all else goes on"));

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -15,6 +14,7 @@
 
 #include "foundation/temporary_folder.hpp"
 #include "operator_process.hpp"
+#include "peer.hpp"
 #include "stack.hpp"
 
 namespace tocsin {
@@ -23,12 +23,6 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 using ::testing::HasSubstr;
-
-double wall_s() {
-  timespec now{};
-  clock_gettime(CLOCK_REALTIME, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 class OperatorTest : public ::testing::Test {
  protected:
@@ -44,7 +38,7 @@ class OperatorTest : public ::testing::Test {
   }
   /// Where the vehicle itself said it was, [m] along x, with the instants.
   static std::vector<std::pair<double, double>> way(const Stack& stack) {
-    const std::string csv = stack.read("uxv/location.csv");
+    const std::string csv = stack.recorded("uxv", "location");
     const auto times = column(csv, "send_s");
     const auto xs = column(csv, "pose.pose.position.x");
     std::vector<std::pair<double, double>> all;

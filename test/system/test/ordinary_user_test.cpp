@@ -11,9 +11,10 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "fast_dds/udp_sockets.hpp"
 #include "foundation/temporary_folder.hpp"
 #include "operator_process.hpp"
+#include "recorded.hpp"
+#include "runtime/testing/kernel.hpp"
 #include "stack.hpp"
 
 namespace tocsin {
@@ -36,7 +37,7 @@ class OrdinaryUser : public ::testing::Test {
  protected:
   void SetUp() override {
     if (::geteuid() != 0) GTEST_SKIP() << "only root can become other users";
-    if (!UdpSockets().answers()) GTEST_SKIP() << "this kernel does not tell whose sockets are";
+    if (!kernel_tells_users()) GTEST_SKIP() << "this kernel does not tell whose sockets are";
     ASSERT_EQ(::chown(folder_.path().c_str(), user, user), 0);
     launch_ = std::make_unique<OperatorProcess>(
         std::vector<std::string>{
@@ -97,7 +98,8 @@ TEST(RootsLaunch, DrivesAMissionAsAnOrdinaryUserWhomRootAsksAndStops) {
                           "--user", std::to_string(user), "--run-dir", folder.path("run")},
                          log.path("launch"));
   const auto drives = [&] {
-    const auto states = column(folder.read("run/uxv/navigation_status.csv"), "state");
+    const auto states =
+        column(recorded_fields(folder.path("run/uxv"), "navigation_status"), "state");
     return std::find(states.begin(), states.end(), "driving") != states.end();
   };
   ASSERT_TRUE(Stack::eventually(seconds(60), drives)) << log.read("launch");

@@ -82,7 +82,8 @@ TEST_F(OutOfTreeTest, EverySessionOfThePagePrintsWhatThePageSays) {
 
 TEST_F(OutOfTreeTest, TheirTopicIsRecordedAndTheirFileRunsInVirtualTimeToo) {
   EXPECT_EQ(play_sourced({"tocsin sim lamps.yaml --duration 10 --run-dir first\n"
-                          "cat first/uxv/lamp.csv\necho end",
+                          "tocsin bag export first/uxv/bag -o csv\n"
+                          "cat csv/lamp.csv\necho end",
                           {"10.000 s simulated ...", "...,brightness", "...,40", "...,40", "end"},
                           1003}),
             "");

@@ -16,6 +16,7 @@
 #include "crossing.hpp"
 #include "operator_process.hpp"
 #include "peer.hpp"
+#include "recorded.hpp"
 #include "stack.hpp"
 
 namespace tocsin {
@@ -50,7 +51,7 @@ class RouterFreezeTest : public ::testing::Test {
   [[nodiscard]] Streams recorded(double since_s) const {
     Streams streams;
     for (const std::string side : {"uxv", "gcs"}) {
-      const std::string csv = stack_.read(side + "/messages.csv");
+      const std::string csv = recorded_messages(stack_.path(side));
       const auto sent = column(csv, "send_s");
       const auto received = column(csv, "receive_s");
       const auto topics = column(csv, "topic");

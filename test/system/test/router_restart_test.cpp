@@ -18,8 +18,7 @@ TEST(RouterRestart, SamplesCrossAgainAtOnceAndNoneIsOlderThanItsLifespan) {
   const TemporaryFolder folder;
   // A launcher that waited before the first restart would wait longer than the bound.
   const Stack stack({standing_mission(folder.path(), "restart: {backoff_s: 2}\n"), "--seed", "1"});
-  const auto runs = [&] { return stack.pid("uxv/link") != 0 && stack.pid("gcs/link") != 0; };
-  ASSERT_TRUE(Stack::eventually(seconds(30), runs)) << stack.output();
+  ASSERT_TRUE(routers_run(stack)) << stack.output();
   const Crossings crossings(stack.pid("uxv/link"), stack.pid("gcs/link"), standing_domain);
   constexpr std::size_t enough = 1200;  // 6 s: a launcher takes what was up for 5 s as sound
   const auto cross = [&] {

@@ -2,9 +2,6 @@
 // The main job in simulated time: done, repeatable, with every policy.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <sys/wait.h>
 
 #include <filesystem>
 #include <fstream>
@@ -16,18 +13,18 @@
 #include <vector>
 
 #include "bag/bag_reader.hpp"
-#include "foundation/csv_table.hpp"
 #include "foundation/temporary_folder.hpp"
+#include "recorded.hpp"
+#include "stack.hpp"
 
 namespace tocsin {
 namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
-struct Ended {
-  int code;
-  std::string output;
+struct Simulated : Ended {
   std::vector<std::string> digests;
 };
 
@@ -42,36 +39,36 @@ std::vector<std::string> digests_in(const std::string& text) {
 
 class SimulationTest : public ::testing::Test {
  protected:
-  static std::string program(const std::string& package, const std::string& name) {
-    const fs::path own = TOCSIN_INSTALL;
-    const fs::path together = own / "bin" / name;
-    return fs::exists(together) ? together : own.parent_path() / package / "bin" / name;
-  }
   /// Runs `tocsin sim` with a run folder of its own; what it logs is left out.
-  Ended sim(const std::string& arguments) {
+  Simulated sim(const std::string& arguments) {
     return run(arguments + " --run-dir " + folder_ + "/" + std::to_string(++runs_));
   }
-  [[nodiscard]] Ended run(const std::string& arguments) const {
-    return execute(program("simulation", "tocsin-sim") + " " + arguments);
+  [[nodiscard]] Simulated run(const std::string& arguments) const {
+    Ended ended = execute("simulation", "tocsin-sim", arguments);
+    auto digests = digests_in(ended.output);
+    return {std::move(ended), std::move(digests)};
   }
   /// What `tocsin decide` says of a recorded file, in JSON.
   [[nodiscard]] nlohmann::json decide(const std::string& file, const std::string& arguments) const {
-    const Ended ended = execute(program("decision_tools", "tocsin-decide") + " " + folder_ + "/" +
-                                file + " --json " + arguments);
+    const Ended ended =
+        execute("decision_tools", "tocsin-decide", folder_ + "/" + file + " --json " + arguments);
     EXPECT_EQ(ended.code, 0) << read("errors");
     return nlohmann::json::parse(ended.output, nullptr, false);
   }
-  [[nodiscard]] Ended execute(const std::string& program_and_arguments) const {
-    const std::string command = program_and_arguments + " 2>" + folder_ + "/errors";
-    FILE* pipe = popen(command.c_str(), "r");
-    std::string output;
-    for (int c = fgetc(pipe); c != EOF; c = fgetc(pipe)) output += static_cast<char>(c);
-    const int status = pclose(pipe);
-    return {WEXITSTATUS(status), output, digests_in(output)};
+  [[nodiscard]] Ended execute(const std::string& package, const std::string& name,
+                              const std::string& arguments) const {
+    const std::string quiet = "sh -c '\"$0\" \"$@\" 2>" + folder_ + "/errors' ";
+    return run_to_end(quiet + Stack::program(package, name), arguments);
   }
   [[nodiscard]] std::string read(const std::string& name) const {
     std::ifstream file(folder_ + "/" + name);
     return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+  /// The fields of a topic that a side of the nth run has recorded.
+  [[nodiscard]] std::string recorded(int run, const std::string& side,
+                                     const std::string& topic) const {
+    return recorded_fields(folder_ + "/" + std::to_string(run) + "/" + side, topic);
   }
 
   const TemporaryFolder temporary_;
@@ -80,37 +77,36 @@ class SimulationTest : public ::testing::Test {
 };
 
 TEST_F(SimulationTest, MissionAIsDoneAndRecordedOnBothSides) {
-  const Ended run = sim("mission.yaml --seed 1");
+  const Simulated run = sim("mission.yaml --seed 1");
   EXPECT_EQ(run.code, 0) << run.output;
   EXPECT_THAT(run.output, HasSubstr("exit code 0"));
   EXPECT_THAT(read("errors"), HasSubstr("mission mission_a: done"));
-  for (const char* file : {"1/uxv/location.csv", "1/gcs/location.csv", "1/gcs/network_quality.csv",
-                           "1/gcs/camera.image_raw.compressed.csv", "1/uxv/goal.csv"}) {
-    EXPECT_GT(read(file).size(), 200U) << file;
+  for (const auto& [side, topic] : {std::pair("uxv", "location"),
+                                    {"gcs", "location"},
+                                    {"gcs", "network_quality"},
+                                    {"gcs", "camera/image_raw/compressed"},
+                                    {"uxv", "goal"}}) {
+    EXPECT_GT(recorded(1, side, topic).size(), 200U) << side << topic;
   }
 }
 
-TEST_F(SimulationTest, TheBagOfEachSideHoldsEveryMessageOfItsCsvFiles) {
-  const Ended run = sim("mission.yaml --seed 1");
+TEST_F(SimulationTest, TheBagOfEachSideSaysWhatItsTypesAre) {
+  const Simulated run = sim("mission.yaml --seed 1");
   ASSERT_EQ(run.code, 0) << run.output;
   for (const std::string side : {"uxv", "gcs"}) {
-    const CsvTable rows = CsvTable::load(folder_ + "/1/" + side + "/messages.csv");
-    std::map<std::string, std::uint64_t> in_csv;
-    for (std::size_t i = 0; i < rows.rows(); ++i) ++in_csv["/" + rows.text(i, "topic")];
     const bag::BagReader bag(folder_ + "/1/" + side + "/bag");
-    std::map<std::string, std::uint64_t> in_bag;
+    std::map<std::string, std::uint64_t> counts;
     for (const auto& [topic, count] : bag.topics()) {
       EXPECT_EQ(topic.definition_encoding, "ros2msg") << topic.name;
-      if (count > 0) in_bag[topic.name] = count;
+      counts[topic.name] = count;
     }
-    EXPECT_EQ(in_bag, in_csv) << side;
-    EXPECT_GT(in_bag["/camera/image_raw/compressed"], 100U) << side;
+    EXPECT_GT(counts["/camera/image_raw/compressed"], 100U) << side;
     EXPECT_TRUE(bag.damaged().empty());
   }
 }
 
 TEST_F(SimulationTest, LogLinesCarryTheSimulatedTime) {
-  const Ended run = sim("mission.yaml --seed 1 --without uxv/payload");
+  const Simulated run = sim("mission.yaml --seed 1 --without uxv/payload");
   ASSERT_EQ(run.code, 0) << run.output;
   const int s = std::atoi(run.output.c_str());  // "91.196 s simulated"
   char time[40];
@@ -122,18 +118,19 @@ TEST_F(SimulationTest, LogLinesCarryTheSimulatedTime) {
 }
 
 TEST_F(SimulationTest, TheRecorderRecordsTheTopicsThatItIsToldByNameAndByPattern) {
-  const Ended run =
+  const Simulated run =
       sim("mission.yaml --duration 5 --set 'recorder.topics=[odom, sensors/core, \"events/*\"]'");
   ASSERT_EQ(run.code, 0) << read("errors");
-  EXPECT_THAT(read("1/uxv/odom.csv"), HasSubstr(",odom,base_footprint,"));
-  EXPECT_GT(read("1/uxv/sensors.core.csv").size(), 1000U);
-  EXPECT_FALSE(read("1/uxv/events.robot_state.csv").empty());
-  EXPECT_TRUE(read("1/uxv/imu_data.csv").empty()) << "nobody asked for it";
+  EXPECT_THAT(recorded(1, "uxv", "odom"), HasSubstr(",odom,base_footprint,"));
+  const std::string messages = recorded_messages(folder_ + "/1/uxv");
+  EXPECT_THAT(messages, HasSubstr(",sensors/core,"));
+  EXPECT_THAT(messages, HasSubstr(",events/robot_state,"));
+  EXPECT_THAT(messages, Not(HasSubstr(",imu_data,"))) << "nobody asked for it";
 }
 
 TEST_F(SimulationTest, ARunOfTheMainJobLosesNothingOfClassCritical) {
   ASSERT_EQ(sim("mission.yaml --seed 7").code, 0) << read("errors");
-  const std::string state = read("1/gcs/link_state.csv");
+  const std::string state = recorded(1, "gcs", "link_state");
   const auto last = state.rfind("\"traffic_class\"\":\"\"critical\"\"");
   ASSERT_NE(last, std::string::npos);
   const auto number = [&](const std::string& key) {
@@ -151,45 +148,44 @@ TEST_F(SimulationTest, DecidingARecordedRunAgainGivesItsOwnDecisionsSampleBySamp
             0)
       << read("errors");
   for (const char* role : {"uxv", "gcs"}) {
-    const auto decided =
-        decide("1/" + std::string(role) + "/transmission_state.csv", "--host " + std::string(role));
+    const auto decided = decide("1/" + std::string(role), "--host " + std::string(role));
     EXPECT_EQ(decided["recorded"]["pauses"], 2) << role;
     EXPECT_EQ(decided["pauses"], 2) << role;
     EXPECT_GT(decided["recorded"]["decisions"], 50) << role;
     EXPECT_EQ(decided["recorded"]["same"], decided["recorded"]["decisions"]) << role;
   }
-  EXPECT_EQ(execute(program("decision_tools", "tocsin-decide") + " " + folder_ +
-                    "/1/uxv/transmission_state.csv")
-                .code,
-            2);
+  EXPECT_EQ(execute("decision_tools", "tocsin-decide", folder_ + "/1/uxv").code, 2);
   EXPECT_THAT(read("errors"), HasSubstr("of the roles uxv and gcs; choose one by --host"));
 }
 
 TEST_F(SimulationTest, SameSeedGivesTheSameSamplesOnTwoThreadsAndInAnotherProcess) {
   const std::string arguments = "mission.yaml --seed 3 --duration 60";
-  const Ended twice = sim(arguments + " --verify");
+  const Simulated twice = sim(arguments + " --verify");
   EXPECT_EQ(twice.code, 0) << twice.output;
-  const Ended other = sim(arguments);
+  const Simulated other = sim(arguments);
   ASSERT_EQ(twice.digests.size(), 2U);
   ASSERT_EQ(other.digests.size(), 1U);
   EXPECT_EQ(twice.digests[0], twice.digests[1]);
   EXPECT_EQ(twice.digests[0], other.digests[0]);
-  for (const char* file : {"uxv/messages.csv", "gcs/messages.csv", "gcs/location.csv"}) {
-    EXPECT_EQ(read(std::string("1/first/") + file), read(std::string("2/") + file)) << file;
+  for (const char* side : {"uxv", "gcs"}) {
+    const std::string first = recorded_messages(folder_ + "/1/first/" + side);
+    EXPECT_GT(first.size(), 1000U);
+    EXPECT_EQ(first, recorded_messages(folder_ + "/2/" + side)) << side;
   }
+  EXPECT_EQ(recorded_fields(folder_ + "/1/first/gcs", "location"), recorded(2, "gcs", "location"));
 }
 
 /// A recorder reads there what the operator's page reads, from the station's own copies.
 TEST_F(SimulationTest, WhoeverReadsAtTheStationCostsTheRadioNotAByte) {
   const std::string mission = "mission.yaml --seed 3 --duration 60";
-  const Ended without = sim(mission);
-  const Ended with = sim(mission + " --set operator_recorder.recording=true");
+  const Simulated without = sim(mission);
+  const Simulated with = sim(mission + " --set operator_recorder.recording=true");
   ASSERT_EQ(without.digests.size(), 1U) << without.output;
   EXPECT_EQ(with.digests, without.digests);
   for (const char* side : {"uxv", "gcs"}) {  // with the bytes of each class that left the router
-    const std::string told = read("1/" + std::string(side) + "/link_state.csv");
+    const std::string told = recorded(1, side, "link_state");
     EXPECT_GT(told.size(), 1000U);
-    EXPECT_EQ(read("2/" + std::string(side) + "/link_state.csv"), told) << side;
+    EXPECT_EQ(recorded(2, side, "link_state"), told) << side;
   }
   EXPECT_TRUE(fs::exists(folder_ + "/2/gcs/operator/bag")) << "it has read";
 }
@@ -197,7 +193,7 @@ TEST_F(SimulationTest, WhoeverReadsAtTheStationCostsTheRadioNotAByte) {
 TEST_F(SimulationTest, EverySeedGivesARunOfItsOwn) {
   std::set<std::string> digests;
   for (const char* seed : {"1", "2", "3", "4"}) {
-    const Ended run =
+    const Simulated run =
         sim(std::string("mission.yaml --without uxv/payload --duration 20 --seed ") + seed);
     ASSERT_EQ(run.digests.size(), 1U) << read("errors");
     digests.insert(run.digests[0]);
@@ -207,21 +203,22 @@ TEST_F(SimulationTest, EverySeedGivesARunOfItsOwn) {
 
 TEST_F(SimulationTest, MissionAIsDoneWithEveryPolicy) {
   for (const char* policy : {"none", "threshold", "tocp", "tocp_dsp"}) {
-    const Ended run = sim(std::string("mission.yaml --without uxv/payload --duration 600 --set ") +
-                          "transmission_controller.policy=" + policy);
+    const Simulated run =
+        sim(std::string("mission.yaml --without uxv/payload --duration 600 --set ") +
+            "transmission_controller.policy=" + policy);
     EXPECT_EQ(run.code, 0) << policy << "\n" << read("errors");
     EXPECT_THAT(run.output, HasSubstr("exit code 0")) << policy;
   }
 }
 
 TEST_F(SimulationTest, EndsAtTheDurationWhenTheMissionIsNotOver) {
-  const Ended run = sim("mission.yaml --without uxv/payload --duration 5");
+  const Simulated run = sim("mission.yaml --without uxv/payload --duration 5");
   EXPECT_EQ(run.code, 0);
   EXPECT_THAT(run.output, HasSubstr("5.000 s simulated (not over)"));
 }
 
 TEST_F(SimulationTest, TenSeedsOfRandomFaultsBreakNoPromise) {
-  const Ended ten = run("mission.yaml --faults random --seeds 1..10 --jobs 2");
+  const Simulated ten = run("mission.yaml --faults random --seeds 1..10 --jobs 2");
   EXPECT_EQ(ten.code, 0) << ten.output;
   EXPECT_THAT(ten.output, HasSubstr("10 runs, "));
   EXPECT_THAT(ten.output, HasSubstr("0 runs broke a promise"));
@@ -230,30 +227,30 @@ TEST_F(SimulationTest, TenSeedsOfRandomFaultsBreakNoPromise) {
 TEST_F(SimulationTest, SeedsOfRandomFaultsLoseNothingOfStoredTopics) {
   std::ofstream(folder_ + "/local.yaml") << "extends: traffic_store.yaml\n";
   std::ofstream(folder_ + "/store.yaml") << "extends: mission.yaml\ntraffic: local.yaml\n";
-  const Ended some = run(folder_ + "/store.yaml --faults random --seeds 1..8 --jobs 2");
+  const Simulated some = run(folder_ + "/store.yaml --faults random --seeds 1..8 --jobs 2");
   EXPECT_EQ(some.code, 0) << some.output;
   EXPECT_THAT(some.output, HasSubstr("0 runs broke a promise"));
 }
 
 TEST_F(SimulationTest, SeedsOfRandomFaultsBreakNoPromiseWhileTopicsAreLoggedAndStopsAreFetched) {
-  std::ofstream(folder_ + "/local.yaml") << "extends: traffic_log.yaml\n";
+  std::ofstream(folder_ + "/local.yaml") << "extends: traffic_log.yaml\nuxv:\n  fetch:\n"
+                                            "    - {when: safety_status, field: emergency_stop, "
+                                            "topics: ['*'], before_s: 10, after_s: 10}\n";
   std::ofstream(folder_ + "/log.yaml") << "extends: mission.yaml\ntraffic: local.yaml\n";
-  const Ended some = run(folder_ +
-                         "/log.yaml --faults random --seeds 1..2 --jobs 2 "
-                         "--set uxv/link_router.fetch_around_stop_s=10");
+  const Simulated some = run(folder_ + "/log.yaml --faults random --seeds 1..2 --jobs 2");
   EXPECT_EQ(some.code, 0) << some.output;
   EXPECT_THAT(some.output, HasSubstr("0 runs broke a promise"));
 }
 
 TEST_F(SimulationTest, RefusesAnUnknownParameter) {
-  const Ended run = sim("mission.yaml --set navigator.speeed=1");
+  const Simulated run = sim("mission.yaml --set navigator.speeed=1");
   EXPECT_EQ(run.code, 2);
   EXPECT_THAT(read("errors"), HasSubstr("navigator.speeed"));
 }
 
 TEST_F(SimulationTest, RefusesAFolderThatHoldsAnotherRun) {
   fs::create_directories(folder_ + "/1");
-  std::ofstream(folder_ + "/1/messages.csv") << "old\n";
+  std::ofstream(folder_ + "/1/summary.txt") << "old\n";
   EXPECT_EQ(sim("mission.yaml --duration 1").code, 2);
   EXPECT_THAT(read("errors"), HasSubstr("is not empty"));
 }

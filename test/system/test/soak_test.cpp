@@ -32,8 +32,7 @@ TEST(RealFaults, AreEachAsLikelyAndHaveWhatTheyNeed) {
 TEST(Soak, SamplesCrossAgainAfterEachFault) {
   const TemporaryFolder folder;
   const Stack stack({standing_mission(folder.path()), "--seed", "1"}, 64);
-  const auto runs = [&] { return stack.pid("uxv/link") != 0 && stack.pid("gcs/link") != 0; };
-  ASSERT_TRUE(Stack::eventually(seconds(60), runs)) << stack.output();
+  ASSERT_TRUE(routers_run(stack)) << stack.output();
   const Crossings crossings(stack.pid("uxv/link"), stack.pid("gcs/link"), standing_domain);
   const auto cross_from_now = [&] {
     const std::int64_t now = wall_now_ns();

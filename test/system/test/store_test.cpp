@@ -3,16 +3,14 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <signal.h>
-#include <sys/mman.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
-#include <fstream>
+#include <functional>
 #include <memory>
-#include <new>
 #include <string>
 #include <thread>
 #include <vector>
@@ -21,6 +19,7 @@
 #include "foundation/temporary_folder.hpp"
 #include "peer.hpp"
 #include "ros_idl/std_msgs.hpp"
+#include "shared.hpp"
 #include "stack.hpp"
 
 namespace tocsin {
@@ -69,25 +68,12 @@ int count_of(const std::string& text, const std::string& word) {
 class StoreTest : public ::testing::Test {
  protected:
   StoreTest() {
-    void* const memory =
-        mmap(nullptr, sizeof(History), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-    if (memory == MAP_FAILED) throw std::runtime_error("no shared memory");
-    history_ = new (memory) History;
-    (void)folder_.write("store_traffic.yaml",
+    bringup_ = standing(folder_.path(),
                         "extends: traffic.yaml\n"
                         "uxv: {normal: {topics: [history], store: [history]}}\n");
-    (void)folder_.write("store.yaml",
-                        "extends: mission.yaml\n"
-                        "traffic: store_traffic.yaml\n"
-                        "stop_when_exits: ~\n"
-                        "hosts: {gcs: {containers: [{mission: ~}, {view: ~}]}}\n");
     // What a router that is dead misses, its successor gets from the writer.
     qos_ = folder_.write(
         "qos.yaml", "history: {reliability: reliable, durability: transient_local, depth: 400}\n");
-  }
-  ~StoreTest() override {
-    peers_.clear();
-    munmap(history_, sizeof(History));
   }
   void start_peers(const Stack& stack) {
     peer(stack.pid("uxv/link"), standing_domain, [this](Bus& bus) {
@@ -142,14 +128,14 @@ class StoreTest : public ::testing::Test {
 
   TemporaryFolder folder_;
   std::string qos_;
-  History* history_;
+  std::string bringup_;
+  Shared<History> history_;
   std::vector<std::unique_ptr<Peer>> peers_;
 };
 
 TEST_F(StoreTest, AnOutageWithKilledRoutersLosesNothingAndGivesEachSampleOnceAndInOrder) {
-  const Stack stack({folder_.path("store.yaml"), "--seed", "1"});
-  const auto runs = [&] { return stack.pid("uxv/link") != 0 && stack.pid("gcs/link") != 0; };
-  ASSERT_TRUE(Stack::eventually(seconds(30), runs)) << stack.output();
+  const Stack stack({bringup_, "--seed", "1"});
+  ASSERT_TRUE(routers_run(stack)) << stack.output();
   start_peers(stack);
   const auto crosses = [&] { return history_->live.count > 120; };  // 6 s: routers count as sound
   ASSERT_TRUE(Stack::eventually(seconds(30), crosses)) << stack.output();
@@ -176,9 +162,8 @@ TEST_F(StoreTest, AnOutageWithKilledRoutersLosesNothingAndGivesEachSampleOnceAnd
 TEST_F(StoreTest, ReadersThatFindARestartedRouterLateMissNothingThatCrossed) {
   // What comes to a writer before a reader has found it, the reader never gets.
   qos_ = folder_.write("qos.yaml", "history: {reliability: reliable, depth: 400}\n");
-  const Stack stack({folder_.path("store.yaml"), "--seed", "1"});
-  const auto runs = [&] { return stack.pid("uxv/link") != 0 && stack.pid("gcs/link") != 0; };
-  ASSERT_TRUE(Stack::eventually(seconds(30), runs)) << stack.output();
+  const Stack stack({bringup_, "--seed", "1"});
+  ASSERT_TRUE(routers_run(stack)) << stack.output();
   start_peers(stack);
   const auto crosses = [&] { return history_->live.count > 120; };
   ASSERT_TRUE(Stack::eventually(seconds(30), crosses)) << stack.output();

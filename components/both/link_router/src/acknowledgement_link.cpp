@@ -31,7 +31,8 @@ void AcknowledgementLink::on_remote(const RemoteFlow& flow, const link_event::Li
                                     Instant at) {
   const auto content = parts_.link.unpack(type_info<AcknowledgementMessage>(), event.sample);
   const auto* message = static_cast<const AcknowledgementMessage*>(content.get());
-  if (message == nullptr || message->to_life() != parts_.link.self() || !is_sound(*message)) return;
+  if (message == nullptr || message->to_instance() != parts_.link.self() || !is_sound(*message))
+    return;
   const LinkPeer& from = *parts_.peers.find(flow.peer);
   for (const auto& service : services_) service->on_acknowledgement(from, *message, at.now);
 }
@@ -41,10 +42,10 @@ void AcknowledgementLink::finish(Instant at) {
     auto message = std::make_shared<AcknowledgementMessage>(to_message(due->acknowledgement));
     const LinkPeer* const known = parts_.peers.find(due->peer);
     const LinkPeer to = known != nullptr ? *known : LinkPeer{due->peer, 0};
-    message->from_life(parts_.link.self());
-    message->to_life(to.instance);
+    message->from_instance(parts_.link.self());
+    message->to_instance(to.instance);
     for (const auto& service : services_) service->add_to(*message, to, at.now);
-    // One that the middleware refuses is as good as lost: the next one tells the same.
+    // One that the middleware refuses is as good as lost: the next one has the same content.
     (void)parts_.link.send(
         flow_, parts_.link.pack(type_info<AcknowledgementMessage>(), std::move(message)));
   }

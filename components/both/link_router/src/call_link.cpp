@@ -20,7 +20,7 @@ constexpr int calls_depth = 256;
 /// An action takes no longer.
 constexpr double result_lifespan_s = 3600;
 
-/// The reply comes when the action is over.
+/// The reply follows when the action is over.
 bool is_of_a_result(const std::string& service) {
   const std::string end = action_end("", "get_result");
   return service.size() > end.size() &&

@@ -38,7 +38,7 @@ void DeliveryLog::add(Record record) {
   records.push_back(kept);
   kept->sample->under_way += static_cast<unsigned>(kept->copies.size());
   if (!kept->copies.empty()) under_way_.push_back(kept);
-  // No acknowledgement tells of older ones.
+  // No acknowledgement names older ones.
   if (records.size() > StreamAcknowledgement::window + 1) records.pop_front();
 }
 
@@ -111,11 +111,11 @@ void DeliveryLog::take_stream(PeerIndex peer, const StreamAcknowledgement& ackno
                 records.end());
 }
 
-void DeliveryLog::give_up_overtaken(PeerIndex peer, const std::vector<Settlement>& came,
+void DeliveryLog::give_up_overtaken(PeerIndex peer, const std::vector<Settlement>& received,
                                     std::vector<Settlement>& settled) {
   std::array<Time, traffic_classes.size()> latest;
   latest.fill(Time::min());
-  for (const Settlement& one : came) {
+  for (const Settlement& one : received) {
     Time& time = latest[index_of(one.sample->traffic_class)];
     time = std::max(time, one.sent);
   }

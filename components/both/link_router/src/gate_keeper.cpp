@@ -5,13 +5,13 @@ namespace tocsin::router {
 
 void GateKeeper::on_state(bool active, Time now) {
   active_ = active;
-  heard_ = now;
+  received_ = now;
 }
 
-bool GateKeeper::open(Time now) const { return active_ || now - heard_ > silence_limit_; }
+bool GateKeeper::open(Time now) const { return active_ || now - received_ > silence_limit; }
 
 Time GateKeeper::deadline(Time now) const {
-  return open(now) ? never : heard_ + silence_limit_ + Duration{1};
+  return open(now) ? never : received_ + silence_limit + Duration{1};
 }
 
 }  // namespace tocsin::router

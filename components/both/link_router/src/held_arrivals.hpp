@@ -9,9 +9,9 @@
 
 namespace tocsin {
 
-/// What comes on a peer's stored flow before readers of the host have found its writer there. It
-/// waits for them, and no acknowledgement tells of it until it is given: what this router does not
-/// live to give is backfilled. Pure; `now` never decreases.
+/// What is received on a peer's stored flow before readers of the host have found its writer there.
+/// It waits for them, and no acknowledgement names it until it is delivered: what this router does
+/// not deliver before it ends is backfilled. Pure; `now` never decreases.
 class HeldArrivals {
  public:
   /// The flow's writer on the host is made now.
@@ -19,9 +19,9 @@ class HeldArrivals {
   void on_reader(FlowId flow, Time now);
   void forget(FlowId flow) { flows_.erase(flow); }
 
-  /// Whether it is held, or left to be backfilled since too many are. Else it may be given.
+  /// Whether it is held, or left to be backfilled since too many are. Else it may be delivered.
   [[nodiscard]] bool hold(const link_event::LinkSample& sample);
-  /// What may be given now, in the order of each flow; its flows hold nothing any more.
+  /// What may be delivered now, in the order of each flow; its flows hold nothing any more.
   [[nodiscard]] std::vector<link_event::LinkSample> take(Time now);
   /// When take() has something though nothing happens.
   [[nodiscard]] Time deadline() const;

@@ -47,8 +47,8 @@ void LeastAge::begin(Duration seen, Time since, Time now) {
 
 Duration LeastAge::age(Time sent, Time now) {
   const Duration seen = now.time_since_epoch() - sent.time_since_epoch();
-  if (least_.value() && now - heard_ > silence) least_.skip(now - heard_);
-  heard_ = now;
+  if (least_.value() && now - received_ > silence) least_.skip(now - received_);
+  received_ = now;
   if (!least_.value()) begin(seen, now, now);
   const Duration age = std::max(Duration{0}, seen - *least_.value());
   note(seen, now);

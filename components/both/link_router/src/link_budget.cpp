@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "link_router/link_constants.hpp"
 namespace tocsin::router {
 namespace {
 
@@ -26,7 +27,7 @@ double AdaptiveScale::target(const Input& input) const {
   if (input.silent) return params_.scale_min;
   if (input.nominal_bytes_per_s <= 0) return 1;
   const double share_bytes_per_s =
-      params_.utilisation * input.capacity_bytes_per_s - input.others_bytes_per_s;
+      utilisation * input.capacity_bytes_per_s - input.others_bytes_per_s;
   return std::clamp(share_bytes_per_s / input.nominal_bytes_per_s, params_.scale_min, 1.0);
 }
 
@@ -34,12 +35,12 @@ void AdaptiveScale::update(const Input& input, Time now) {
   const double wanted = target(input);
   const double passed_s = updated_ ? to_seconds(now - *updated_) : 0;
   updated_ = now;
-  const double constant_s = wanted < smooth_ ? params_.scale_fall_s : params_.scale_rise_s;
+  const double constant_s = wanted < smooth_ ? scale_fall_s : scale_rise_s;
   smooth_ += (wanted - smooth_) * -std::expm1(-passed_s / constant_s);
-  const bool at_end = wanted == 1 && smooth_ > 1 - params_.scale_step / 2;
+  const bool at_end = wanted == 1 && smooth_ > 1 - scale_step / 2;
   if (at_end) {
     reported_ = 1;
-  } else if (std::abs(smooth_ - reported_) >= params_.scale_step) {
+  } else if (std::abs(smooth_ - reported_) >= scale_step) {
     reported_ = smooth_;
   }
 }

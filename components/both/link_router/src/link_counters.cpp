@@ -19,7 +19,7 @@ void LinkCounters::on_dropped(const Waiting& waiting, const StreamRule& rule, Dr
   ++stream.dropped;
   if (reason == DropReason::paused) ++stream.paused;
   if (!rule.stored) return;
-  fates_.push_back({waiting.stream, waiting.sample.origin, LiveFate::did_not_cross});
+  fates_.push_back({waiting.stream, waiting.sample.origin, LiveFate::not_delivered});
 }
 
 void LinkCounters::note_fate(const SentSample& sent, LiveFate fate) {
@@ -28,7 +28,7 @@ void LinkCounters::note_fate(const SentSample& sent, LiveFate fate) {
 
 void LinkCounters::on_delivered(SentSample& sent) {
   sent.fate = SentSample::Fate::delivered;
-  note_fate(sent, LiveFate::crossed);
+  note_fate(sent, LiveFate::delivered);
   if (!sent.counted) return;
   ClassCounts& count = of(sent.traffic_class);
   ++count.delivered;
@@ -40,7 +40,7 @@ void LinkCounters::conclude(SentSample& sent) {
   const bool is_unwanted = sent.missing.empty();
   if (is_unwanted && sent.received) return on_delivered(sent);
   sent.fate = is_unwanted ? SentSample::Fate::unwanted : SentSample::Fate::lost;
-  note_fate(sent, LiveFate::did_not_cross);
+  note_fate(sent, LiveFate::not_delivered);
   if (!sent.counted) return;
   ClassCounts& count = of(sent.traffic_class);
   ++(is_unwanted ? count.unwanted : count.lost);
@@ -52,7 +52,7 @@ void LinkCounters::revoke_loss(SentSample& sent) {
 }
 
 void LinkCounters::end(SentSample& sent) {
-  note_fate(sent, LiveFate::did_not_cross);
+  note_fate(sent, LiveFate::not_delivered);
   sent.is_stored = false;
 }
 

@@ -13,7 +13,7 @@ constexpr double deviation_weight = 1.0 / 4;
 constexpr double loss_weight = 1.0 / 16;
 constexpr double capacity_falls = 0.5;  ///< weight of a smaller measurement
 constexpr double capacity_rises = 0.2;
-/// A measured capacity is believed within these limits: one sample tells no more.
+/// A measured capacity is believed within these limits: one sample proves no more.
 constexpr double least_capacity_bytes_per_s = 4000;
 constexpr double most_capacity_bytes_per_s = 1e9;
 /// So many unanswered transmissions at least are a silence: one or two may be bad luck.
@@ -40,11 +40,6 @@ std::optional<Duration> WindowedMinimum::value() const {
   return current_;
 }
 
-LinkEstimator::LinkEstimator(const LinkRouterParams& params)
-    : params_(params),
-      least_(seconds(params.clock_window_s)),
-      capacity_bytes_per_s_(params.capacity_start_bytes_per_s) {}
-
 Time LinkEstimator::on_sent(const WireCost& cost, Time now) {
   drained_ =
       std::max(drained_, now) + seconds(static_cast<double>(cost.bytes) / capacity_bytes_per_s_);
@@ -64,7 +59,7 @@ Duration LinkEstimator::on_received(const Received& received, Time now) {
     return std::clamp(crossing - least_.value().value_or(crossing), Duration::zero(), most);
   };
   if (!received.is_exact) return over_least();
-  if (received.cost.packets >= static_cast<std::size_t>(params_.bulk_packets)) {
+  if (received.cost.packets >= bulk_packets) {
     if (!least_.value()) return Duration::zero();
     const Duration delay = over_least();
     learn_capacity(received, received.sent + delay);
@@ -99,8 +94,7 @@ Duration LinkEstimator::backlog(Time now) const {
 Duration LinkEstimator::expected_delay() const { return seconds(delay_s_ + 4 * deviation_s_); }
 
 bool LinkEstimator::is_silent(Time now) const {
-  return unanswered_ >= silence_means && waiting_since_ &&
-         now - *waiting_since_ > seconds(params_.silence_s);
+  return unanswered_ >= silence_means && waiting_since_ && now - *waiting_since_ > silent_after;
 }
 
 void LinkEstimator::start_over(Time now) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "link_router/link_constants.hpp"
 namespace tocsin::router {
 namespace {
 
@@ -14,25 +15,23 @@ constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();
 bool LinkPacer::bulk_may_go(Time now) const {
   if (paths_.is_silent(now)) return false;
   if (paths_.backlog(now) > seconds(params_.bulk_backlog_s)) return false;
-  const auto bulk = static_cast<std::size_t>(params_.bulk_packets);
   const auto most = static_cast<std::size_t>(params_.bulk_under_way);
   return std::all_of(paths_.all().begin(), paths_.all().end(), [&](const auto& entry) {
     const PeerPath& peer = entry.second;
-    return peer.estimator.is_silent(now) || log_.count_under_way(peer.index, bulk) < most;
+    return peer.estimator.is_silent(now) || log_.count_under_way(peer.index, bulk_packets) < most;
   });
 }
 
 std::size_t LinkPacer::packets_allowed(TrafficClass traffic_class, Time now) const {
   const bool silent = paths_.is_silent(now);
-  const bool probe_due = sent_at_ == Time::min() || now - sent_at_ >= seconds(params_.repair_max_s);
+  const bool probe_due = sent_at_ == Time::min() || now - sent_at_ >= seconds(repair_max_s);
   if ((silent && probe_due) || bulk_may_go(now)) return any_number;
-  const auto small = static_cast<std::size_t>(params_.bulk_packets);
-  if (policy_of(traffic_class).passes_backlog) return small;
-  return silent || paths_.backlog(now) > seconds(params_.hold_backlog_s) ? 0 : small;
+  if (policy_of(traffic_class).passes_backlog) return bulk_packets;
+  return silent || paths_.backlog(now) > seconds(params_.hold_backlog_s) ? 0 : bulk_packets;
 }
 
 Time LinkPacer::opens(Time now) const {
-  if (paths_.is_silent(now)) return sent_at_ + seconds(params_.repair_max_s);
+  if (paths_.is_silent(now)) return sent_at_ + seconds(repair_max_s);
   const Duration full = paths_.backlog(now);
   const Duration hold = seconds(params_.hold_backlog_s);
   return now + full - (full > hold ? hold : seconds(params_.bulk_backlog_s));
@@ -45,13 +44,13 @@ Time LinkPacer::repairs_open(Time now) const {
 
 bool LinkPacer::is_idle(Time now) const {
   if (paths_.empty()) return false;
-  if (paths_.is_silent(now)) return now - sent_at_ >= seconds(params_.repair_max_s);
+  if (paths_.is_silent(now)) return now - sent_at_ >= seconds(repair_max_s);
   return bulk_may_go(now) && paths_.backlog(now) == Duration::zero();
 }
 
 Time LinkPacer::idle_from(Time now) const {
   if (paths_.empty()) return never;
-  if (paths_.is_silent(now)) return sent_at_ + seconds(params_.repair_max_s);
+  if (paths_.is_silent(now)) return sent_at_ + seconds(repair_max_s);
   const Time drained = now + paths_.backlog(now);
   return drained > now ? drained : never;
 }

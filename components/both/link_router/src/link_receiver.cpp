@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "link_router/link_constants.hpp"
 namespace tocsin::router {
 namespace {
 
-/// Sources of all streams of a peer that are remembered; then the one unheard for longest goes.
+/// Sources of all streams of a peer that are remembered; then the one silent for longest goes.
 constexpr std::size_t most_memories = 256;
-/// A stream is in the acknowledgements of this time after something of it came, so that one of them
-/// comes through.
+/// A stream is in the acknowledgements of this time after something of it was received, so that one
+/// of them arrives.
 constexpr Duration repeated_for = std::chrono::milliseconds(500);
 /// What is not older than this was sent a moment ago.
 constexpr Duration fresh = std::chrono::milliseconds(500);
@@ -19,10 +20,8 @@ constexpr Duration contrary_for = std::chrono::milliseconds(500);
 
 }  // namespace
 
-LinkReceiver::LinkReceiver(const LinkRouterParams& params) : params_(params) { check(params); }
-
 void LinkReceiver::on_peer(const std::string& peer, InstanceId instance) {
-  Peer& known = peers_.try_emplace(peer, seconds(params_.clock_window_s)).first->second;
+  Peer& known = peers_.try_emplace(peer).first->second;
   if (known.instance == instance) return;
   known.instance = instance;
   known.streams.clear();
@@ -62,7 +61,7 @@ Disposition LinkReceiver::on_arrived(const std::string& peer, const Arrived& arr
   const Disposition disposition = judge(from, rule, arrived.origin, now);
   const bool in_vain =
       disposition == Disposition::superseded || disposition == Disposition::expired;
-  // Of a stored stream it follows in another way, unless an acknowledgement tells of it.
+  // Of a stored stream it follows in another way, unless an acknowledgement names it.
   if (!rule.stored || !in_vain) note(found->second, arrived.number, now);
   return disposition;
 }
@@ -119,7 +118,7 @@ SourceMemory& LinkReceiver::memory_of(Peer& peer, const std::string& stream, Sou
     auto oldest = peer.delivered.end();
     for (auto it = peer.delivered.begin(); it != peer.delivered.end(); ++it) {
       if (it == place) continue;
-      if (oldest == peer.delivered.end() || it->second.heard() < oldest->second.heard()) {
+      if (oldest == peer.delivered.end() || it->second.received() < oldest->second.received()) {
         oldest = it;
       }
     }
@@ -128,10 +127,10 @@ SourceMemory& LinkReceiver::memory_of(Peer& peer, const std::string& stream, Sou
   return place->second;
 }
 
-void LinkReceiver::ask_for_acknowledgement(Peer& peer, Time now) const {
-  Time due = now + seconds(params_.acknowledgement_delay_s);
+void LinkReceiver::ask_for_acknowledgement(Peer& peer, Time now) {
+  Time due = now + acknowledgement_delay;
   if (peer.acknowledgement_sent)
-    due = std::max(due, *peer.acknowledgement_sent + seconds(params_.acknowledgement_period_s));
+    due = std::max(due, *peer.acknowledgement_sent + acknowledgement_period);
   peer.acknowledgement_due = std::min(peer.acknowledgement_due, due);
 }
 
@@ -147,16 +146,16 @@ std::optional<LinkReceiver::Addressed> LinkReceiver::take_acknowledgement(Time n
   return std::nullopt;
 }
 
-LinkAcknowledgement LinkReceiver::make_acknowledgement(Peer& peer, Time now) const {
+LinkAcknowledgement LinkReceiver::make_acknowledgement(Peer& peer, Time now) {
   LinkAcknowledgement acknowledgement{++peer.acknowledgements, now, {}};
-  // After a silence everything is told once more.
+  // After a silence everything is reported once more.
   const bool idle = !peer.acknowledgement_sent || now - *peer.acknowledgement_sent >= repeated_for;
   for (const auto& [id, stream] : peer.streams) {
     if (stream.highest == 0 || (!idle && now - stream.noted > repeated_for)) continue;
     acknowledgement.streams.push_back({id, stream.highest, now - stream.last, stream.before});
   }
   peer.acknowledgement_sent = now;
-  peer.acknowledgement_due = now + seconds(params_.acknowledgement_idle_s);
+  peer.acknowledgement_due = now + acknowledgement_idle;
   return acknowledgement;
 }
 

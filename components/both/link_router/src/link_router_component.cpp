@@ -14,15 +14,16 @@
 #include "report_link.hpp"
 #include "router_stop.hpp"
 #include "runtime/component_entry.hpp"
+#include "runtime/middleware/link_bus.hpp"
 #include "store_places.hpp"
 
 namespace tocsin {
 namespace {
 
 std::unique_ptr<LinkBus> open_link(Component& owner) {
-  auto link = owner.bus().open_link([&owner] { owner.schedule().input_arrived(); });
-  if (!link) throw ConfigError("link_router: this process has no address on the link");
-  return link;
+  LinkAccess* const access = owner.bus().link_access();
+  if (access == nullptr) throw ConfigError("link_router: this process has no address on the link");
+  return access->open_link([&owner] { owner.schedule().input_arrived(); });
 }
 
 }  // namespace
@@ -49,21 +50,16 @@ LinkRouterComponent::Router::Router(Component& owner, Context& context, Logger& 
     : reports_(owner),
       link_(open_link(owner)),
       sender_(params.link),
-      receiver_(params.link),
       streams_(*link_, sender_),
       events_(*link_, services_) {
   const LinkParts parts{*link_,          sender_,         receiver_,        streams_,
                         events_.peers(), events_.local(), events_.remote(), log};
   auto acknowledgements = std::make_unique<AcknowledgementLink>(parts, services_);
-  auto live =
-      std::make_unique<LiveLink>(owner, parts, context.role, seconds(params.silence_limit_s));
-  auto backfill = std::make_unique<BackfillLink>(owner, parts, context.devices,
+  auto live = std::make_unique<LiveLink>(owner, parts, context.role);
+  auto backfill = std::make_unique<BackfillLink>(owner, parts, context.computer,
                                                  backfill_params(context, params));
-  live->set_deliveries(*backfill);
-  const ReportLink::Periods periods{seconds(params.report_period_s),
-                                    seconds(params.budget_period_s)};
-  auto reports =
-      std::make_unique<ReportLink>(owner, reports_, parts, services_, context.role, periods);
+  live->set_backfill(*backfill);
+  auto reports = std::make_unique<ReportLink>(owner, reports_, parts, services_, context.role);
   services_.push_back(std::make_unique<RouterStop>(owner, context, *link_, log));
   services_.push_back(std::move(live));
   services_.push_back(std::move(acknowledgements));

@@ -6,24 +6,23 @@
 #include <memory>
 #include <utility>
 
+#include "link_router/link_constants.hpp"
 namespace tocsin::router {
 namespace {
 
-/// Sources of one stream that are remembered; then the one unheard for longest goes.
+/// Sources of one stream that are remembered; then the one silent for longest goes.
 constexpr std::size_t most_sources = 64;
 
 Time later(Time time, Duration by) { return by > never - time ? never : time + by; }
 
 Duration patience_of(const LinkRouterParams& params) {
-  return seconds(params.hold_backlog_s + params.acknowledgement_delay_s +
-                 params.acknowledgement_period_s);
+  return seconds(params.hold_backlog_s) + acknowledgement_delay + acknowledgement_period;
 }
 
 }  // namespace
 
 LinkSender::LinkSender(const LinkRouterParams& params)
     : params_(params),
-      paths_(params),
       queue_(static_cast<std::size_t>(params.queue_bytes)),
       log_(patience_of(params)),
       pacer_(params, paths_, log_),
@@ -192,7 +191,7 @@ SentSamplePtr LinkSender::make_sent(const Waiting& waiting) {
   if (rule.durable) {
     source_of(stream, sent->sample).newest = sent;
   } else if (sent->expires == never) {
-    sent->expires = waiting.offered + seconds(params_.repair_lifespan_s);
+    sent->expires = waiting.offered + repair_lifespan;
   }
   return sent;
 }
@@ -278,7 +277,7 @@ void LinkSender::apply(const Settlement& settlement, Time now) {
   sent.missing.erase(place);
   sent.received = true;
   sent.repaired = sent.repaired || settlement.sent != sent.first_sent;
-  sent.late = sent.late || settlement.sent + delay - sent.offered > seconds(params_.late_after_s);
+  sent.late = sent.late || settlement.sent + delay - sent.offered > late_after;
   const bool was_given_up = sent.fate == SentSample::Fate::lost && sent.missing.empty();
   if (was_given_up) counters_.revoke_loss(sent);
 }

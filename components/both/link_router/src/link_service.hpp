@@ -15,7 +15,7 @@
 
 namespace tocsin {
 
-/// What routers tell each other of what they received; on the link only.
+/// Acknowledgements between routers; on the link only.
 using AcknowledgementMessage = tocsin_msgs::msg::LinkAcknowledgement;
 
 /// What the services of a router share. All outlive them.
@@ -32,7 +32,7 @@ struct LinkParts {
   /// The peer's transmissions on a flow are acknowledged from now on, or not any more.
   void expect(const RemoteFlow& flow) const;
   void forget(const RemoteFlow& flow) const;
-  /// One has come: what is to be done with it, and the peer is told.
+  /// One has come: what is to be done with it, and the peer is informed.
   router::Disposition on_arrived(const RemoteFlow& flow, const link_event::LinkSample& event,
                                  Time now) const;
 };

@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "backfill/backfill_link.hpp"
 #include "router_messages.hpp"
 
 namespace tocsin {
 
-LiveLink::LiveLink(Component& owner, const LinkParts& parts, Role role, Duration silence_limit)
-    : state_(owner), parts_(parts), role_(role), keeper_(silence_limit) {}
+LiveLink::LiveLink(Component& owner, const LinkParts& parts, Role role)
+    : state_(owner), parts_(parts), role_(role) {}
 
 void LiveLink::begin(Instant at) {
   while (const auto state = state_.take()) {
@@ -51,7 +52,7 @@ void LiveLink::on_local(const LocalFlow& flow, const CarriedSample& sample, bool
 void LiveLink::on_remote_flow(const RemoteFlow& flow, Instant at) {
   parts_.expect(flow);
   if (flow.what.stored) {
-    deliveries_->expect(at);
+    backfill_->expect(at);
     held_.expect(flow.id, at.now);
   }
   parts_.link.offer(flow.id);
@@ -77,8 +78,8 @@ void LiveLink::deliver(const RemoteFlow& flow, const link_event::LinkSample& eve
   if (parts_.on_arrived(flow, event, at.now) != router::Disposition::deliver) return;
   const CarriedSample& sample = event.sample;
   const bool is_new =
-      !flow.rule.stored || deliveries_->on_live(*parts_.peers.find(flow.peer), flow, sample);
-  if (is_new) deliveries_->on_delivery(flow.what, sample, at);
+      !flow.rule.stored || backfill_->on_live(*parts_.peers.find(flow.peer), flow, sample);
+  if (is_new) backfill_->on_delivery(flow.what, sample, at);
   // Late readers ask for the last sample of a state, whoever has it already.
   if (is_new || flow.rule.durable) parts_.link.give(flow.id, sample);
 }

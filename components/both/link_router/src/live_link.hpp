@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "deliveries.hpp"
 #include "held_arrivals.hpp"
 #include "link_router/gate_keeper.hpp"
 #include "link_service.hpp"
@@ -13,15 +12,18 @@
 
 namespace tocsin {
 
+class BackfillLink;
+
 /// Live samples, both ways: what the host writes goes to the sender and onto the link, what peers
 /// send goes to the host once. While the transmission state of its role is passive, the sender is
-/// paused; when that state falls silent for longer than `silence_limit`, it is not.
+/// paused; when that state falls silent (GateKeeper), it is not.
 class LiveLink final : public LinkService {
  public:
   /// `role` of the host. All outlive it.
-  LiveLink(Component& owner, const LinkParts& parts, Role role, Duration silence_limit);
-  /// Once, before anything happens at the link.
-  void set_deliveries(Deliveries& deliveries) { deliveries_ = &deliveries; }
+  LiveLink(Component& owner, const LinkParts& parts, Role role);
+  /// Once, before anything happens at the link: it notes what is delivered, so that nothing is
+  /// delivered twice.
+  void set_backfill(BackfillLink& backfill) { backfill_ = &backfill; }
 
   void begin(Instant at) override;
   void on_peer(const LinkPeer& peer, Instant at) override;
@@ -48,7 +50,7 @@ class LiveLink final : public LinkService {
 
   OptionalInput<topic::TransmissionState> state_;
   const LinkParts parts_;
-  Deliveries* deliveries_ = nullptr;
+  BackfillLink* backfill_ = nullptr;
   const Role role_;
   router::GateKeeper keeper_;
   HeldArrivals held_;

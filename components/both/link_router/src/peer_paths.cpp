@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "link_router/link_constants.hpp"
 namespace tocsin::router {
 
 PeerPath* PeerPaths::find(const std::string& peer) {
@@ -21,7 +22,7 @@ PeerPath* PeerPaths::find(PeerIndex index) {
 
 void PeerPaths::add(const std::string& peer, InstanceId instance) {
   paths_.emplace(std::piecewise_construct, std::forward_as_tuple(peer),
-                 std::forward_as_tuple(params_, ++last_, instance));
+                 std::forward_as_tuple(++last_, instance));
 }
 
 void PeerPaths::forget_stream(StreamId stream) {
@@ -57,7 +58,7 @@ const LinkEstimator* PeerPaths::slowest(Time now) const {
 
 double PeerPaths::capacity_bytes_per_s(Time now) const {
   const LinkEstimator* const one = slowest(now);
-  return one == nullptr ? params_.capacity_start_bytes_per_s : one->capacity_bytes_per_s();
+  return one == nullptr ? capacity_start_bytes_per_s : one->capacity_bytes_per_s();
 }
 
 Duration PeerPaths::backlog(Time now) const {

@@ -9,20 +9,22 @@
 #include "runtime/middleware/ros_stamp.hpp"
 
 namespace tocsin {
+namespace {
+
+constexpr Duration report_period = std::chrono::seconds(1);
+/// Of adaptive streams: a camera follows within two pictures.
+constexpr Duration budget_period = std::chrono::milliseconds(200);
+
+}  // namespace
 
 ReportLink::ReportLink(Component& owner, ReportOutputs& outputs, const LinkParts& parts,
-                       const Services& services, Role role, Periods periods)
-    : owner_(owner),
-      outputs_(outputs),
-      parts_(parts),
-      services_(services),
-      role_(role),
-      periods_(periods) {}
+                       const Services& services, Role role)
+    : owner_(owner), outputs_(outputs), parts_(parts), services_(services), role_(role) {}
 
 void ReportLink::finish(Instant at) {
   if (at.now >= next_budget_) report_budgets(at);
   if (at.now < next_report_) return;
-  next_report_ = owner_.next_instant(periods_.report, at.now);
+  next_report_ = owner_.next_instant(report_period, at.now);
   report_link(at);
   report_traffic(at);
 }
@@ -42,7 +44,7 @@ void ReportLink::write(Output<Topic>& output, typename Topic::Message message) {
 }
 
 void ReportLink::report_budgets(Instant at) {
-  next_budget_ = owner_.next_instant(periods_.budget, at.now);
+  next_budget_ = owner_.next_instant(budget_period, at.now);
   auto report = message<topic::LinkBudget::Message>(at);
   for (const router::StreamBudget& budget : parts_.sender.budgets(at.now)) {
     const auto flow = std::find_if(parts_.local.begin(), parts_.local.end(), [&](const auto& one) {

@@ -24,13 +24,9 @@ struct ReportOutputs {
 class ReportLink final : public LinkService {
  public:
   using Services = std::vector<std::unique_ptr<LinkService>>;
-  struct Periods {
-    Duration report;
-    Duration budget;
-  };
   /// `role` of the host. All outlive it.
   ReportLink(Component& owner, ReportOutputs& outputs, const LinkParts& parts,
-             const Services& services, Role role, Periods periods);
+             const Services& services, Role role);
   void finish(Instant at) override;
   [[nodiscard]] Time deadline(Time) const override { return std::min(next_report_, next_budget_); }
 
@@ -49,7 +45,6 @@ class ReportLink final : public LinkService {
   const LinkParts parts_;
   const Services& services_;
   const Role role_;
-  const Periods periods_;
   Time next_report_{};
   Time next_budget_{};
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "link_router/link_constants.hpp"
 namespace tocsin::router {
 namespace {
 
@@ -18,7 +19,7 @@ void Retransmitter::supersede(const SentSample& newer, std::size_t depth) {
         older->sample.origin.source != newer.sample.origin.source) {
       continue;
     }
-    // What is sent for a peer that came later is the newest one, or it is none.
+    // What is sent for a late peer is the newest one, or it is none.
     older->superseded = ++older->newer >= (older->counted ? depth : 1);
   }
 }
@@ -68,7 +69,7 @@ void Retransmitter::schedule(SentSample& sent, Duration expected, Time now) cons
   const double growth = std::pow(params_.repair_backoff, sent.transmissions);
   ++sent.transmissions;
   sent.repair_at =
-      now + (expected + seconds(std::min(params_.repair_first_s * growth, params_.repair_max_s)));
+      now + (expected + seconds(std::min(params_.repair_first_s * growth, repair_max_s)));
 }
 
 void Retransmitter::spend(std::size_t bytes, Time now) {

@@ -18,7 +18,7 @@ namespace tocsin {
 /// What the configuration and its writers say of a flow. `rule` of the host that sends it.
 [[nodiscard]] router::StreamRule stream_rule(const Flow& flow, const TrafficRule& rule);
 
-/// Where a carried sample comes from, and back.
+/// The origin of a carried sample, and back.
 [[nodiscard]] router::Origin origin_of(const CarriedSample& sample);
 [[nodiscard]] CarriedSample carried(const router::Sample& sample);
 

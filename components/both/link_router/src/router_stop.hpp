@@ -26,7 +26,7 @@ class RouterStop final : public LinkService {
     virtual void take(const StopNews& news, Time now) = 0;
     /// What goes into every packet.
     virtual void fill(StopValue& value, Time now) = 0;
-    /// What the host is told.
+    /// What the host is to know.
     virtual void fill(topic::LinkStop::Message& message, Time now) = 0;
     /// Whether it knows enough for that.
     [[nodiscard]] virtual bool may_publish(Time) const { return true; }

@@ -45,7 +45,7 @@ void ServiceDirectory::on_client(const ServiceName& service, bool there, Time no
   }
 }
 
-std::set<std::string> ServiceDirectory::on_peer(PeerLife peer, const ServiceLists& lists) {
+std::set<std::string> ServiceDirectory::on_peer(PeerInstance peer, const ServiceLists& lists) {
   std::set<std::string> refused;
   ServiceLists& own = peers_[peer] = {};
   // What the file names goes before what a pattern takes.

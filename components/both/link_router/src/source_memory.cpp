@@ -13,7 +13,7 @@ constexpr Duration row_for = std::chrono::milliseconds(500);
 
 SourceMemory::Verdict SourceMemory::judge(std::uint64_t sequence, std::size_t depth, bool fresh,
                                           Time now) {
-  heard_ = now;
+  received_ = now;
   const auto place = std::lower_bound(newest_.begin(), newest_.end(), sequence);
   if (place != newest_.end() && *place == sequence) return Verdict::duplicate;
   const bool behind = newest_.size() >= depth && place == newest_.begin();

@@ -12,7 +12,7 @@ namespace tocsin {
 namespace {
 
 constexpr std::size_t most_vehicles = 64;
-/// An older report tells nothing of now.
+/// An older report says nothing of now.
 constexpr Duration report_lives = std::chrono::seconds(1);
 
 /// Nobody guesses it, in a simulation either: it changes no message of a host.

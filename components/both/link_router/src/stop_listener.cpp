@@ -9,7 +9,7 @@
 namespace tocsin::router {
 namespace {
 
-/// Routers of stations that are told apart; of more the one that is silent for longest is
+/// Routers of stations that are distinguished; of more the one that is silent for longest is
 /// forgotten.
 constexpr std::size_t most_stations = 16;
 constexpr Duration remembered_for = std::chrono::seconds(10);

@@ -24,8 +24,7 @@ BackfillLink::Params backfill_params(const Context& context,
   const std::string history = folder.empty() ? "" : folder + "/history";
   return {{folder, limits(params.store_bytes, params.store_age_s), LogUse::queue},
           {history, limits(params.history_bytes, params.history_age_s), LogUse::history},
-          params.link,
-          params.fetch_around_stop_s};
+          params.link};
 }
 
 }  // namespace tocsin

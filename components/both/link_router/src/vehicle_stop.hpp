@@ -17,7 +17,8 @@ class VehicleStop final : public RouterStop::Side {
   void take(const StopNews& news, Time now) override;
   void fill(StopValue& value, Time now) override;
   void fill(topic::LinkStop::Message& message, Time now) override;
-  /// Until then the host hears nothing, which is a stop where it has heard a router before.
+  /// Until then nothing is published on the host, which is a stop where a router was received
+  /// before.
   [[nodiscard]] bool may_publish(Time now) const override { return listener_.knows(now); }
   [[nodiscard]] StopKeysFile::Content kept() const override;
 

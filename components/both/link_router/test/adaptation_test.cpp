@@ -23,26 +23,6 @@ TEST(Adaptation, BulkWaitsUntilTheRadioHasSentTheOneBefore) {
   EXPECT_EQ(link.sent.back().sample.origin.sequence, 101U);
 }
 
-TEST(Adaptation, LearnsTheCapacityAndTheBudgetFollows) {
-  LinkPair link;
-  StreamRule camera = rule_of(TrafficClass::low);
-  camera.adaptive = true;
-  link.add(1, camera);
-  learn_capacity(link, 1);
-  std::uint64_t sequence = 100;
-  for (int i = 0; i < 200; ++i) {
-    link.offer(1, sequence++, picture_bytes);
-    link.run(125 * ms);
-  }
-  const LinkStateValues state = link.sender.state(link.now);
-  EXPECT_NEAR(state.capacity_bytes_per_s, 1.35e6, 0.2e6) << "a packet of 1350 B each ms";
-  const auto budgets = link.sender.budgets(link.now);
-  ASSERT_EQ(budgets.size(), 1U);
-  EXPECT_EQ(budgets[0].scale, 1);
-  EXPECT_FALSE(budgets[0].hold);
-  EXPECT_NEAR(budgets[0].bytes_per_s, 375e3, 40e3) << "47 kB on the wire, 8 a second";
-}
-
 TEST(Adaptation, AnAdaptiveSourceHoldsWhileItsLastSampleWaits) {
   LinkPair link;
   StreamRule camera = rule_of(TrafficClass::low);

@@ -24,9 +24,9 @@ class ArrivalLogTest : public StoreTest {
       : StoreTest(
             "uxv: {normal: {topics: [goal, pose]}}\n"
             "gcs: {low: {topics: [goal, odom], store: [goal], keep: [goal]}}\n") {
-    next_life();
+    next_instance();
   }
-  void next_life() {
+  void next_instance() {
     start();
     meet();
     script_.happen(link_event::PeerFlow{peer_backfills, station, 9, flow(backfill_topic)});
@@ -46,9 +46,9 @@ class ArrivalLogTest : public StoreTest {
   }
 };
 
-TEST_F(ArrivalLogTest, KeepsWhatCameLiveAndWhatWasFilledIn) {
-  hear(1, 1);
-  hear(2, 4);
+TEST_F(ArrivalLogTest, KeepsWhatWasLiveAndWhatWasBackfilled) {
+  receive(1, 1);
+  receive(2, 4);
   backfill(1, {2, 3});
   EXPECT_THAT(kept(), ElementsAre(1, 4, 2, 3)) << "as they arrived";
 }
@@ -66,12 +66,12 @@ TEST_F(ArrivalLogTest, KeepsNothingThatIsNotListed) {
   EXPECT_THAT(kept(), IsEmpty()) << "of this host's own topics the list log says it";
 }
 
-TEST_F(ArrivalLogTest, EachSampleIsInItOnceOverLivesOfBothSides) {
-  hear(1, 1);
+TEST_F(ArrivalLogTest, EachSampleIsInItOnceOverInstancesOfBothSides) {
+  receive(1, 1);
   EXPECT_THAT(kept(), ElementsAre(1));
-  next_life();
-  hear(1, 1);
-  hear(2, 2);
+  next_instance();
+  receive(1, 1);
+  receive(2, 2);
   EXPECT_THAT(kept(), ElementsAre(1, 2));
 }
 

@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-#include "devices/absent_devices.hpp"
+#include "devices/computer.hpp"
 #include "foundation/temporary_folder.hpp"
 #include "link_router_fixture.hpp"
 #include "runtime/middleware/link_permissions.hpp"
@@ -28,14 +28,13 @@ class StoreTest : public LinkRouterTest {
     start();
   }
   /// An instance of the router, the one before being over.
-  void start(double fetch_around_stop_s = 0, const std::string& directory = "store") {
+  void start(const std::string& directory = "store") {
     host_.reset();
     script_.opened.clear();
     script_.sent.clear();
     script_.offered_here.clear();
     LinkRouterComponent::Params params;
     params.store_directory = folder_.path(directory);
-    params.fetch_around_stop_s = fetch_around_stop_s;
     LinkRouterTest::start(params, computer_);
   }
   [[nodiscard]] FlowId backfills() const { return script_.opened_for(backfill_topic); }
@@ -66,8 +65,8 @@ class StoreTest : public LinkRouterTest {
   void confirm(std::uint32_t session, std::uint32_t number,
                const std::vector<tocsin_msgs::msg::LogRequest>& requests = {}) {
     auto acknowledgement = std::make_shared<Acknowledgement>();
-    acknowledgement->from_life(station);
-    acknowledgement->to_life(ScriptedLink::own_life);
+    acknowledgement->from_instance(station);
+    acknowledgement->to_instance(ScriptedLink::own_instance);
     acknowledgement->made_ns(host_->bus.now().time_since_epoch().count());
     acknowledgement->backfill_session(session);
     acknowledgement->backfill_number(number);
@@ -114,8 +113,8 @@ class StoreTest : public LinkRouterTest {
   void backfill(std::uint32_t number, const std::vector<std::uint64_t>& sequences,
                 const std::string& topic = "goal") {
     auto message = std::make_shared<BackfillMessage>();
-    message->from_life(station);
-    message->to_life(ScriptedLink::own_life);
+    message->from_instance(station);
+    message->to_instance(ScriptedLink::own_instance);
     message->session(1);
     message->number(number);
     message->topic(topic);
@@ -136,15 +135,15 @@ class StoreTest : public LinkRouterTest {
         link_event::LinkSample{peer_backfills, backfill_number_, sample, host_->bus.now()});
     run(0.2);  // readers have found the topic
   }
-  [[nodiscard]] std::vector<std::uint64_t> given() const {
+  [[nodiscard]] std::vector<std::uint64_t> delivered() const {
     std::vector<std::uint64_t> sequences;
-    for (const ScriptedLink::Given& one : script_.given) {
+    for (const ScriptedLink::Delivered& one : script_.delivered) {
       sequences.push_back(one.sample.sequence);
     }
     return sequences;
   }
   /// Of the newest acknowledgement.
-  [[nodiscard]] std::uint32_t told_number() {
+  [[nodiscard]] std::uint32_t confirmed_number() {
     run(1.1);
     std::uint32_t number = 0;
     for (const ScriptedLink::Sent& one : script_.sent) {
@@ -155,7 +154,7 @@ class StoreTest : public LinkRouterTest {
   }
 
   TemporaryFolder folder_;
-  AbsentDevices computer_;
+  Computer computer_;
   std::uint64_t backfill_number_ = 0;
 };
 

@@ -48,5 +48,28 @@ TEST_F(BackfillRoomTest, OneGoesAtATime) {
   EXPECT_TRUE(sut_.may_backfill(sut_.backfill_opens(now_)));
 }
 
+TEST_F(BackfillRoomTest, TwoLargeOnesWaitForTheirAcknowledgementThoughTheQueueIsEmpty) {
+  for (const std::uint64_t number : {1U, 2U}) {
+    EXPECT_TRUE(sut_.may_backfill(now_)) << number;
+    sut_.on_written(sut_.backfill(backfills, sample(number, 40'000), now_), number);
+    now_ += std::chrono::seconds(1);  // 0.4 s of the capacity
+  }
+  EXPECT_FALSE(sut_.may_backfill(now_));
+  EXPECT_EQ(sut_.backfill_opens(now_), never);
+}
+
+TEST_F(BackfillRoomTest, WhileNobodyAnswersOneGoesEachHalfSecond) {
+  for (const std::uint64_t number : {1U, 2U, 3U}) {
+    sut_.on_written(sut_.backfill(backfills, sample(number, 200), now_), number);
+  }
+  now_ += std::chrono::seconds(1);
+  EXPECT_TRUE(sut_.may_backfill(now_));
+  (void)sut_.backfill(backfills, sample(4, 200), now_);
+  const Time next = now_ + std::chrono::milliseconds(500);
+  EXPECT_EQ(sut_.backfill_opens(now_), next);
+  EXPECT_FALSE(sut_.may_backfill(next - Duration(1)));
+  EXPECT_TRUE(sut_.may_backfill(next));
+}
+
 }  // namespace
 }  // namespace tocsin::router

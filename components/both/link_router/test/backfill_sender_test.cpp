@@ -27,7 +27,7 @@ class BackfillSenderTest : public ::testing::Test {
   void miss(const SampleId& which) {
     sut_.offer(which);
     sut_.on_logged(which, Logged::kept);
-    EXPECT_FALSE(sut_.on_fate(which, LiveFate::did_not_cross));
+    EXPECT_FALSE(sut_.on_fate(which, LiveFate::not_delivered));
   }
   void read_all(std::size_t bytes = 100) {
     for (auto wanted = sut_.take_wanted(); !wanted.empty(); wanted = sut_.take_wanted()) {
@@ -51,18 +51,6 @@ class BackfillSenderTest : public ::testing::Test {
   Time now_ = t0;
 };
 
-TEST_F(BackfillSenderTest, WhatCrossesLiveIsToldTheLogOnceAndNotSent) {
-  sut_.offer(id(1));
-  sut_.on_logged(id(1), Logged::kept);
-  sut_.begin_session();
-  EXPECT_TRUE(sut_.on_fate(id(1), LiveFate::crossed));
-  EXPECT_FALSE(sut_.on_fate(id(1), LiveFate::crossed));
-  EXPECT_THAT(sut_.take_wanted(), IsEmpty());
-  EXPECT_EQ(counts().stored, 1U);
-  EXPECT_EQ(counts().waiting, 0U);
-  EXPECT_EQ(counts().backfilled, 0U);
-}
-
 TEST_F(BackfillSenderTest, SendsWhatDidNotCrossOldestFirst) {
   sut_.begin_session();
   miss(id(1));
@@ -77,26 +65,6 @@ TEST_F(BackfillSenderTest, SendsWhatDidNotCrossOldestFirst) {
   EXPECT_EQ(counts().backfilled, 2U);
   EXPECT_EQ(counts().waiting, 0U);
   EXPECT_EQ(sut_.deadline(now_, capacity_bytes_per_s), never);
-}
-
-TEST_F(BackfillSenderTest, WhatEarlierLivesLeftGoesFirst) {
-  miss(id(5));
-  sut_.recover(id(3));
-  sut_.recover(id(4));
-  sut_.recover(id(5));  // it was offered again
-  sut_.begin_session();
-  EXPECT_THAT(sut_.take_wanted(), ElementsAre(id(3), id(4), id(5)));
-}
-
-TEST_F(BackfillSenderTest, WaitsWhileAnOlderOneOfItsWriterMayStillCross) {
-  sut_.begin_session();
-  sut_.offer(id(1));
-  miss(id(2));
-  miss(id(7, 3));
-  EXPECT_THAT(sut_.take_wanted(), ElementsAre(id(7, 3))) << "another writer does not wait";
-  sut_.on_read({id(7, 3)}, {{id(7, 3), 0, {}}});
-  EXPECT_FALSE(sut_.on_fate(id(1), LiveFate::did_not_cross));
-  EXPECT_THAT(sut_.take_wanted(), ElementsAre(id(1), id(2)));
 }
 
 TEST_F(BackfillSenderTest, ABatchIsOfOneStreamAndOfBoundedSize) {
@@ -160,34 +128,17 @@ TEST_F(BackfillSenderTest, RepeatsTheFirstUntilItIsConfirmedAndEverMoreSeldom) {
   EXPECT_THAT(sut_.on_progress({1, 1}, now_), ElementsAre(id(1)));
 }
 
-TEST_F(BackfillSenderTest, ANewSessionSendsWhatWasNotConfirmedAgain) {
-  sut_.begin_session();
-  miss(id(1));
-  miss(id(2));
-  read_all(900);
-  ASSERT_TRUE(next());
-  ASSERT_TRUE(next());
-  EXPECT_THAT(sut_.on_progress({1, 1}, now_), ElementsAre(id(1)));
-  sut_.begin_session();
-  EXPECT_THAT(sut_.on_progress({1, 2}, now_), IsEmpty()) << "of the old session";
-  const auto again = next();
-  ASSERT_TRUE(again);
-  EXPECT_EQ(again->session, 2U);
-  EXPECT_EQ(again->number, 1U);
-  EXPECT_THAT(sequences(*again), ElementsAre(2));
-}
-
 TEST_F(BackfillSenderTest, CountsWhatTheLogCouldNotTake) {
   sut_.offer(id(1));
   sut_.on_logged(id(1), Logged::refused);
-  EXPECT_FALSE(sut_.on_fate(id(1), LiveFate::crossed)) << "it is not in the log";
+  EXPECT_FALSE(sut_.on_fate(id(1), LiveFate::delivered)) << "it is not in the log";
   EXPECT_EQ(counts().refused, 0U) << "it crossed";
   sut_.offer(id(2));
   sut_.on_logged(id(2), Logged::refused);
-  EXPECT_FALSE(sut_.on_fate(id(2), LiveFate::did_not_cross));
+  EXPECT_FALSE(sut_.on_fate(id(2), LiveFate::not_delivered));
   EXPECT_EQ(counts().refused, 1U);
   sut_.offer(id(3));
-  EXPECT_FALSE(sut_.on_fate(id(3), LiveFate::did_not_cross));
+  EXPECT_FALSE(sut_.on_fate(id(3), LiveFate::not_delivered));
   sut_.on_logged(id(3), Logged::refused);  // later than its fate
   EXPECT_EQ(counts().refused, 2U);
   EXPECT_EQ(counts().waiting, 0U);
@@ -203,15 +154,6 @@ TEST_F(BackfillSenderTest, WhatTheLogCannotReadIsCountedAndPassedOver) {
   ASSERT_TRUE(batch);
   EXPECT_THAT(sequences(*batch), ElementsAre(2));
   EXPECT_EQ(counts().refused, 1U);
-}
-
-TEST_F(BackfillSenderTest, OneThatWasConfirmedByAnEarlierLifeIsNotSent) {
-  sut_.begin_session();
-  sut_.offer(id(1));
-  sut_.on_logged(id(1), Logged::confirmed);
-  EXPECT_FALSE(sut_.on_fate(id(1), LiveFate::did_not_cross));
-  EXPECT_THAT(sut_.take_wanted(), IsEmpty());
-  EXPECT_EQ(counts().stored, 0U);
 }
 
 /// What is sent because somebody asked for it.

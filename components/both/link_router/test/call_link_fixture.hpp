@@ -34,7 +34,7 @@ class CallLinkTest : public LinkRouterTest {
     host_.reset();
     script_.opened.clear();
     script_.rules = TrafficRules(folder_.write("traffic.yaml", rules), role);
-    start({}, real_devices());
+    start({}, this_computer());
     meet();
     begin_peer_flow(link_services_topic, peer_services);
     begin_peer_flow("link_calls_uxv_high", peer_calls);
@@ -45,14 +45,14 @@ class CallLinkTest : public LinkRouterTest {
     run(0);
   }
   template <class Message>
-  void hear(FlowId flow, const Message& message) {
+  void receive(FlowId flow, const Message& message) {
     CarriedSample sample;
     sample.content = std::make_shared<Message>(message);
     sample.bytes = 100;
     sample.source = flow;
-    sample.sequence = ++heard_;
+    sample.sequence = ++received_;
     sample.sent_wall_ns = host_->bus.wall_ns(host_->bus.now());
-    script_.happen(link_event::LinkSample{flow, heard_, sample, host_->bus.now()});
+    script_.happen(link_event::LinkSample{flow, received_, sample, host_->bus.now()});
     run(0);
   }
   /// The peer's host has or wants these.
@@ -65,7 +65,7 @@ class CallLinkTest : public LinkRouterTest {
     };
     for (const HostService& one : offered) add(message.offered(), one);
     for (const HostService& one : wanted) add(message.wanted(), one);
-    hear(peer_services, message);
+    receive(peer_services, message);
   }
   static CallMessage call(std::uint64_t caller, std::uint64_t number, bool reply,
                           const Bytes& data) {
@@ -99,7 +99,7 @@ class CallLinkTest : public LinkRouterTest {
   const TemporaryFolder folder_;
 
  private:
-  std::uint64_t heard_ = 0;
+  std::uint64_t received_ = 0;
 };
 
 }  // namespace tocsin

@@ -38,10 +38,10 @@ TEST_F(CallLinkTest, ARequestCrossesAndItsReplyReachesTheClientThatAsked) {
   const auto sent = sent_calls();
   ASSERT_EQ(sent.size(), 2U);
   EXPECT_FALSE(sent[0].reply());
-  EXPECT_EQ(sent[0].caller(), ScriptedLink::own_life);
+  EXPECT_EQ(sent[0].caller(), ScriptedLink::own_instance);
   EXPECT_EQ(sent[0].service(), "dock");
   EXPECT_EQ(sent[0].data(), question);
-  hear(peer_calls, call(ScriptedLink::own_life, sent[1].number(), true, answer));
+  receive(peer_calls, call(ScriptedLink::own_instance, sent[1].number(), true, answer));
   ASSERT_EQ(script_.services.replied.size(), 1U);
   EXPECT_EQ(script_.services.replied[0].id.client, id(2).client);
   EXPECT_EQ(script_.services.replied[0].message, answer);
@@ -51,7 +51,7 @@ TEST_F(CallLinkTest, ARequestOfAPeerIsAskedOnceAndItsReplyCrosses) {
   begin_as(Role::uxv);
   hear_of({}, {dock});
   EXPECT_THAT(script_.services.called, Contains(Key("dock")));
-  hear(peer_calls, call(station, 9, false, question));
+  receive(peer_calls, call(station, 9, false, question));
   ASSERT_EQ(script_.services.asked.size(), 1U);
   EXPECT_EQ(script_.services.asked[0].message, question);
   happen(host_service_event::Reply{"dock", 1, answer});
@@ -68,14 +68,14 @@ TEST_F(CallLinkTest, ARequestWaitsForItsServerUntilTheDeadline) {
   begin_as(Role::uxv);
   script_.services.has_server = false;
   hear_of({}, {dock});
-  hear(peer_calls, call(station, 1, false, question));
+  receive(peer_calls, call(station, 1, false, question));
   run(1.5);
   EXPECT_THAT(script_.services.asked, IsEmpty());
   script_.services.has_server = true;
   happen(host_service_event::Changed{"dock"});
   EXPECT_EQ(script_.services.asked.size(), 1U);
   script_.services.has_server = false;
-  hear(peer_calls, call(station, 2, false, question));
+  receive(peer_calls, call(station, 2, false, question));
   run(2.1);
   script_.services.has_server = true;
   happen(host_service_event::Changed{"dock"});
@@ -87,15 +87,15 @@ TEST_F(CallLinkTest, AReplyAfterTheDeadlineOfItsCallReachesNobody) {
   hear_of({dock}, {});
   happen(host_service_event::Request{"dock", id(1), question});
   run(2.1);
-  hear(peer_calls, call(ScriptedLink::own_life, 1, true, answer));
+  receive(peer_calls, call(ScriptedLink::own_instance, 1, true, answer));
   EXPECT_THAT(script_.services.replied, IsEmpty());
 }
 
-TEST_F(CallLinkTest, RepliesToAnotherLifeAreIgnored) {
+TEST_F(CallLinkTest, RepliesToAnotherInstanceAreIgnored) {
   begin_as(Role::gcs);
   hear_of({dock}, {});
   happen(host_service_event::Request{"dock", id(1), question});
-  hear(peer_calls, call(ScriptedLink::own_life + 1, 1, true, answer));
+  receive(peer_calls, call(ScriptedLink::own_instance + 1, 1, true, answer));
   EXPECT_THAT(script_.services.replied, IsEmpty());
 }
 
@@ -121,35 +121,10 @@ TEST_F(CallLinkTest, TheResultOfAnActionIsWaitedForLongerThanACall) {
   EXPECT_EQ(sent<CallMessage>("link_results_uxv_high").size(), 1U);
   run(600);
   begin_peer_flow("link_results_uxv_high", peer_calls + 10);
-  CallMessage reply = call(ScriptedLink::own_life, 1, true, answer);
+  CallMessage reply = call(ScriptedLink::own_instance, 1, true, answer);
   reply.service(result.name);
-  hear(peer_calls + 10, reply);
+  receive(peer_calls + 10, reply);
   EXPECT_EQ(script_.services.replied.size(), 1U);
-}
-
-TEST_F(CallLinkTest, WhatOnlyAPatternNamesIsShownToWhoCallsIt) {
-  begin_as(Role::gcs);
-  const HostService parameters{"arm/get_parameters", "rcl_interfaces/srv/GetParameters"};
-  hear_of({parameters}, {});
-  EXPECT_THAT(script_.services.served, IsEmpty());
-  EXPECT_THAT(script_.services.known, ElementsAre(parameters.name))
-      << "a client looks for the node before it calls";
-  happen(host_service_event::Client{parameters, true});
-  run(0.6);
-  EXPECT_THAT(script_.services.served, Contains(Key(parameters.name)));
-  const auto told = sent<ServicesMessage>(link_services_topic);
-  ASSERT_FALSE(told.empty());
-  ASSERT_EQ(told.back().wanted().size(), 1U);
-  EXPECT_EQ(told.back().wanted()[0].name(), parameters.name);
-}
-
-TEST_F(CallLinkTest, APeerThatLeavesTakesItsServicesWithIt) {
-  begin_as(Role::gcs);
-  hear_of({dock}, {});
-  EXPECT_THAT(script_.services.known, ElementsAre(dock.name));
-  script_.happen(link_event::PeerLost{station});
-  run(0);
-  EXPECT_THAT(script_.services.served, Not(Contains(Key("dock"))));
 }
 
 TEST_F(CallLinkTest, NamesOfAPeerThatCanBeNoneAreIgnored) {
@@ -166,7 +141,7 @@ TEST_F(CallBoundsTest, WhatTheRulesDoNotNameIsCountedAsRefused) {
   const auto before = refused_names().total();
   CallMessage message = call(station, 1, false, question);
   message.service("self_destruct");
-  hear(peer_calls, message);
+  receive(peer_calls, message);
   hear_of({dock}, {{"self_destruct", "std_srvs/srv/Trigger"}});  // this side has no server to call
   EXPECT_EQ(refused_names().total() - before, 3U);
   EXPECT_THAT(script_.services.called, IsEmpty());

@@ -47,7 +47,7 @@ void FaultyLink::restart_sender() {
 }
 
 void FaultyLink::restart_receiver() {
-  receiver_ = std::make_unique<LinkReceiver>(params_);
+  receiver_ = std::make_unique<LinkReceiver>();
   ++receiver_instance_;
   for (auto& entry : streams_) entry.second.delivered.clear();
   introduce();
@@ -131,10 +131,10 @@ void FaultyLink::forge_acknowledgement() {
 }
 
 void FaultyLink::replay() {
-  if (heard_.empty()) return;
-  const std::size_t first = random_() % heard_.size();
-  for (std::size_t i = first; i < heard_.size() && i < first + 20; ++i) {
-    air_.emplace(now_ + below(200) * ms, heard_[i]);
+  if (received_.empty()) return;
+  const std::size_t first = random_() % received_.size();
+  for (std::size_t i = first; i < received_.size() && i < first + 20; ++i) {
+    air_.emplace(now_ + below(200) * ms, received_[i]);
   }
 }
 
@@ -162,7 +162,7 @@ void FaultyLink::send() {
   while (const auto one = sender_->next(now_)) {
     const OnAir sent{*one, ++numbers_[one->stream], true};
     sender_->on_written(*one, sent.number);
-    heard_.push_back(sent);
+    received_.push_back(sent);
     if (chance(loss_)) continue;
     for (int i = chance(0.05) ? 2 : 1; i > 0; --i) {
       const Duration delay = chance(0.1) ? below(150) * ms : 2 * ms;

@@ -77,7 +77,7 @@ class FaultyLink {
   std::unique_ptr<LinkSender> sender_;
   std::unique_ptr<LinkReceiver> receiver_;
   std::multimap<Time, OnAir> air_;
-  std::vector<OnAir> heard_;  ///< by whoever replays
+  std::vector<OnAir> received_;  ///< by whoever replays
   double loss_ = 0;
   std::string broken_;
   std::size_t deliveries_ = 0;

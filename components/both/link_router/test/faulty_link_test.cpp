@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A slice of the runs of link_router_faults (test/bench/link_router).
+// Two routers over a link with random faults.
 #include "faulty_link.hpp"
 
 #include <gtest/gtest.h>

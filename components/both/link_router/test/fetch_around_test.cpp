@@ -12,26 +12,40 @@ using ::testing::IsEmpty;
 
 class FetchAroundTest : public HistoryLinkTest {
  protected:
-  /// After a kill, and a meeting with the station.
-  void next_life(double fetch_around_stop_s) {
-    start(fetch_around_stop_s);
+  /// Fetches so much before and after an emergency stop.
+  void fetch_around_stops(int s) {
+    const std::string time = std::to_string(s);
+    start_with(
+        "uxv:\n  low: {topics: [cpu_load], log: [odom]}\n"
+        "  fetch:\n    - {when: safety_status, field: emergency_stop, topics: ['*'],\n"
+        "       before_s: " +
+        time + ", after_s: " + time + "}\n");
+    begin_odom();
+  }
+  /// After a kill.
+  void next_instance() {
+    start();
+    begin_odom();
+  }
+  void begin_odom() {
     meet_station();
     (void)begin("odom");
+  }
+  void stop(bool stands = true) {
+    tocsin_msgs::msg::SafetyStatus status;
+    status.emergency_stop(stands);
+    host_->bus.publish<topic::SafetyStatus>(status);
   }
 };
 
 TEST_F(FetchAroundTest, WhatIsAroundAnEmergencyStopCrossesByItself) {
-  start(2);
-  meet_station();
-  (void)begin("odom");
+  fetch_around_stops(2);
   write(1);
   run(10);
   write(2);
   run(1);
-  tocsin_msgs::msg::SafetyStatus stop;
-  stop.emergency_stop(true);
   for (int i = 0; i < 5; ++i) {
-    host_->bus.publish<topic::SafetyStatus>(stop);
+    stop();
     run(0.2);
   }
   write(3);
@@ -39,30 +53,25 @@ TEST_F(FetchAroundTest, WhatIsAroundAnEmergencyStopCrossesByItself) {
   write(4);
   run(5);
   EXPECT_THAT(sent(), ElementsAre(2, 3));
-  stop.emergency_stop(false);
-  host_->bus.publish<topic::SafetyStatus>(stop);
+  stop(false);
   run(5);
   EXPECT_THAT(sent(), ElementsAre(2, 3)) << "nothing follows from its end";
 }
 
 TEST_F(FetchAroundTest, WhatIsWantedOutlivesTheRouterAndCrossesOnce) {
   // Large ones, so that they take several batches.
-  start(4);
-  meet_station();
-  (void)begin("odom");
+  fetch_around_stops(4);
   run(10);
-  tocsin_msgs::msg::SafetyStatus stop;
-  stop.emergency_stop(true);
-  host_->bus.publish<topic::SafetyStatus>(stop);
+  stop();
   for (std::uint64_t sequence = 1; sequence <= 20; ++sequence) write(sequence, host_flow, 900);
-  next_life(4);
-  host_->bus.publish<topic::SafetyStatus>(stop);
+  next_instance();
+  stop();
   run(20);  // its clock begins with it
   ASSERT_GE(sent().size(), 5U) << "the event before the kill";
   const std::uint64_t confirmed = batches().at(1)->samples().back().sequence_number();
   confirm(1, 2);
   run(1);
-  next_life(4);
+  next_instance();
   run(20);
   ASSERT_FALSE(sent().empty());
   EXPECT_EQ(sent().front(), confirmed + 1) << "what was confirmed does not cross again";
@@ -72,24 +81,20 @@ TEST_F(FetchAroundTest, WhatIsWantedOutlivesTheRouterAndCrossesOnce) {
   }
   EXPECT_EQ(sent().back(), 20U);
   EXPECT_EQ(state().fetches().at(0).state(), "done");
-  next_life(4);
+  next_instance();
   run(20);
   EXPECT_THAT(sent(), IsEmpty());
   EXPECT_THAT(state().fetches(), IsEmpty()) << "what is done is not looked for again";
 }
 
 TEST_F(FetchAroundTest, AStopThatGoesOnOverARestartIsOneEvent) {
-  start(8);
-  meet_station();
-  (void)begin("odom");
+  fetch_around_stops(8);
   run(2);
-  tocsin_msgs::msg::SafetyStatus stop;
-  stop.emergency_stop(true);
-  host_->bus.publish<topic::SafetyStatus>(stop);
+  stop();
   run(1);
-  next_life(8);
+  next_instance();
   for (int i = 0; i < 20; ++i) {
-    host_->bus.publish<topic::SafetyStatus>(stop);
+    stop();
     run(0.2);
   }
   EXPECT_EQ(state().fetches().size(), 1U);

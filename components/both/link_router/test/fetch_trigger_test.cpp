@@ -36,6 +36,14 @@ class Watching final : public Component {
   FetchTrigger trigger_;
 };
 
+FetchRule around_stop() {
+  FetchRule rule;
+  rule.when = topic::SafetyStatus::info.name;
+  rule.field = "emergency_stop";
+  rule.topics = {"*"};
+  return rule;
+}
+
 class FetchTriggerTest : public ::testing::Test {
  protected:
   FetchTriggerTest() { bus_.add(sut_); }
@@ -47,7 +55,7 @@ class FetchTriggerTest : public ::testing::Test {
   }
   SimBus bus_;
   Context context_{bus_, "watching", Role::uxv};
-  Watching sut_{context_, around_stop(10)};
+  Watching sut_{context_, around_stop()};
 };
 
 TEST_F(FetchTriggerTest, AnEventBeginsWithTheFirstSampleThatFulfilsTheRule) {
@@ -80,7 +88,7 @@ TEST_F(FetchTriggerTest, AStateThatHoldsOnIsTheSameEventHoweverSeldomItIsSaid) {
 }
 
 TEST_F(FetchTriggerTest, ANumberIsBetweenItsBounds) {
-  FetchRule rule = around_stop(10);
+  FetchRule rule = around_stop();
   rule.when = topic::Odom::info.name;
   rule.field = "twist.twist.linear.x";
   rule.above = 0.5;
@@ -116,7 +124,7 @@ TEST_F(FetchTriggerTest, NamesATopicOrFieldThatNobodyKnows) {
       {"odom", "header.frame_id", "has no number or truth header.frame_id"},
   };
   for (const auto& one : cases) {
-    FetchRule rule = around_stop(10);
+    FetchRule rule = around_stop();
     rule.when = one.when;
     rule.field = one.field;
     rule.name = "uxv.fetch[2]";

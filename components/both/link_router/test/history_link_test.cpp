@@ -28,11 +28,11 @@ TEST_F(HistoryLinkTest, WhatIsLoggedCrossesOnlyWhenTheStationAsks) {
   EXPECT_EQ(told.fetches()[0].id(), 41U);
   EXPECT_EQ(told.fetches()[0].state(), "done");
   EXPECT_EQ(told.fetches()[0].found(), 3U);
-  EXPECT_EQ(told.fetches()[0].given(), 3U);
+  EXPECT_EQ(told.fetches()[0].delivered(), 3U);
   EXPECT_THAT(told.stored(), IsEmpty());
 }
 
-TEST_F(HistoryLinkTest, WhatHasCrossedIsNotSentAgainAlsoByTheNextLife) {
+TEST_F(HistoryLinkTest, WhatWasDeliveredIsNotSentAgainAlsoByTheNextInstance) {
   meet_station();
   (void)begin("odom");
   for (const std::uint64_t sequence : {1, 2}) write(sequence);
@@ -56,7 +56,7 @@ TEST_F(HistoryLinkTest, WhatCrossedLiveIsNotSentAgain) {
   meet_station();
   const FlowId on_link = begin("camera", camera_flow);
   listen(on_link);
-  EXPECT_TRUE(script_.opened.at(on_link).flow.stored) << "the station notes what it gives";
+  EXPECT_TRUE(script_.opened.at(on_link).flow.stored) << "the station notes what it delivers";
   write(1, camera_flow);
   acknowledge(on_link, 1);
   set_active(false);

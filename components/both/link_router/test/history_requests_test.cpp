@@ -63,31 +63,31 @@ TEST_F(HistoryRequestsTest, IsDoneWhenAllThatWasFoundIsGivenOrGone) {
   (void)sut_.take_searches(30 * second_ns);
   sut_.on_found(1, {id(1), id(2), id(3)}, std::nullopt);
   EXPECT_EQ(progress().state, HistoryState::sending);
-  sut_.on_given({id(1), id(9)});
-  sut_.on_given({id(1)});
+  sut_.on_delivered({id(1), id(9)});
+  sut_.on_delivered({id(1)});
   sut_.on_gone({id(2)});
   EXPECT_EQ(progress().state, HistoryState::sending);
-  sut_.on_given({id(3)});
+  sut_.on_delivered({id(3)});
   EXPECT_EQ(progress().state, HistoryState::done);
   EXPECT_EQ(progress().found, 3U);
-  EXPECT_EQ(progress().given, 2U);
+  EXPECT_EQ(progress().delivered, 2U);
   EXPECT_EQ(progress().gone, 1U);
   EXPECT_THAT(sut_.take_searches(40 * second_ns), IsEmpty());
 }
 
-TEST_F(HistoryRequestsTest, TheNextPartIsLookedForWhenTheLastIsGiven) {
+TEST_F(HistoryRequestsTest, TheNextPartIsLookedForWhenTheLastIsDelivered) {
   sut_.on_request(range(1), t0);
   (void)sut_.take_searches(30 * second_ns);
   sut_.on_found(1, {id(1)}, 15 * second_ns);
   EXPECT_THAT(sut_.take_searches(30 * second_ns), IsEmpty());
-  sut_.on_given({id(1)});
+  sut_.on_delivered({id(1)});
   EXPECT_EQ(progress().state, HistoryState::searching);
   const auto next = sut_.take_searches(30 * second_ns);
   ASSERT_THAT(next, SizeIs(1));
   EXPECT_EQ(next[0].from_ns, 15 * second_ns);
   EXPECT_EQ(next[0].to_ns, 20 * second_ns);
   sut_.on_found(1, {id(2)}, std::nullopt);
-  sut_.on_given({id(2)});
+  sut_.on_delivered({id(2)});
   EXPECT_EQ(progress().state, HistoryState::done);
   EXPECT_EQ(progress().found, 2U);
 }
@@ -131,8 +131,8 @@ TEST_F(HistoryRequestsTest, ThoseOfRulesAreToldWhenTheyChangeUntilTheyAreDone) {
   EXPECT_FALSE(sut_.take_rule_requests()) << "it stands";
   (void)sut_.take_searches(30 * second_ns);
   sut_.on_found(3, {id(1)}, std::nullopt);
-  EXPECT_FALSE(sut_.take_rule_requests()) << "not all of it is given";
-  sut_.on_given({id(1)});
+  EXPECT_FALSE(sut_.take_rule_requests()) << "not all of it is delivered";
+  sut_.on_delivered({id(1)});
   const auto one = sut_.take_rule_requests();
   ASSERT_TRUE(one);
   ASSERT_THAT(*one, SizeIs(1));

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "link_router/link_constants.hpp"
+
 namespace tocsin::router {
 namespace {
 
@@ -36,14 +38,8 @@ TEST_F(AdaptiveScaleTest, IsOneWhileThereIsRoom) {
 TEST_F(AdaptiveScaleTest, ComesToTheShareOfTheCapacityThatIsLeft) {
   AdaptiveScale::Input in = input(400e3, 300e3);
   in.others_bytes_per_s = 20e3;
-  const double wanted = (params.utilisation * 400e3 - 20e3) / 300e3;
-  EXPECT_NEAR(run(in, std::chrono::seconds(20)), wanted, params.scale_step);
-}
-
-TEST_F(AdaptiveScaleTest, NeverFallsBelowItsLeast) {
-  const double scale = run(input(10e3, 300e3), std::chrono::seconds(30));
-  EXPECT_GE(scale, params.scale_min);
-  EXPECT_LE(scale, params.scale_min + params.scale_step);
+  const double wanted = (utilisation * 400e3 - 20e3) / 300e3;
+  EXPECT_NEAR(run(in, std::chrono::seconds(20)), wanted, scale_step);
 }
 
 TEST_F(AdaptiveScaleTest, FallsFasterThanItRises) {

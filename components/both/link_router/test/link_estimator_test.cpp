@@ -23,8 +23,7 @@ class LinkEstimatorTest : public ::testing::Test {
     return sut.on_received({cost, now, expected, now + crossing + clock_difference, true},
                            now + acknowledged);
   }
-  LinkRouterParams params;
-  LinkEstimator sut{params};
+  LinkEstimator sut;
   Time now = t0;
 };
 
@@ -85,13 +84,13 @@ TEST_F(LinkEstimatorTest, LearnsNoCapacityWithoutSmallSamples) {
 TEST_F(LinkEstimatorTest, TheBacklogDrainsAtTheCapacity) {
   EXPECT_EQ(sut.backlog(now), 0 * ms);
   (void)sut.on_sent(bulk, now);
-  EXPECT_EQ(sut.backlog(now), seconds(10000 / params.capacity_start_bytes_per_s));
+  EXPECT_EQ(sut.backlog(now), seconds(10000 / capacity_start_bytes_per_s));
   EXPECT_EQ(sut.backlog(now + 40 * ms), 60 * ms);
   EXPECT_EQ(sut.backlog(now + 200 * ms), 0 * ms);
 }
 
 TEST_F(LinkEstimatorTest, IsSilentOnlyAfterSeveralUnansweredAndTheTime) {
-  const Duration limit = seconds(params.silence_s);
+  const Duration limit = silent_after;
   (void)cross(small, 2 * ms);
   sut.on_all_settled();
   now += 10 * limit;

@@ -33,7 +33,7 @@ inline StreamRule rule_of(TrafficClass traffic_class) {
 /// packet on top. Time goes on in steps of 1 ms.
 class LinkPair {
  public:
-  explicit LinkPair(const LinkRouterParams& params = {}) : sender(params), receiver(params) {
+  explicit LinkPair(const LinkRouterParams& params = {}) : sender(params) {
     sender.on_peer("station", 2, now);
     receiver.on_peer("vehicle", 1);
   }

@@ -45,42 +45,21 @@ TEST_F(LinkRouterTest, AFlowThatHasLeftIsClosed) {
   EXPECT_EQ(script_.sent_on(on_link), 0U);
 }
 
-TEST_F(LinkRouterTest, ASampleOfAPeerIsGivenToTheHostOnce) {
+TEST_F(LinkRouterTest, AcknowledgesWhatWasReceived) {
   meet();
   begin_peer_flow("goal");
-  EXPECT_EQ(script_.offered, std::vector<FlowId>{peer_flow});
-  hear(1, 10);
-  hear(2, 10);  // a repair of what had come
-  hear(3, 11);
-  ASSERT_EQ(script_.given.size(), 2U);
-  EXPECT_EQ(script_.given[0].sample.sequence, 10U);
-  EXPECT_EQ(script_.given[1].sample.sequence, 11U);
-}
-
-TEST_F(LinkRouterTest, TellsThePeerWhatCame) {
-  meet();
-  begin_peer_flow("goal");
-  hear(1, 10);
+  receive(1, 10);
   run(0.2);
   const FlowId acknowledgements = script_.opened_for("link_acknowledgement");
   ASSERT_GE(script_.sent_on(acknowledgements), 1U);
   EXPECT_EQ(script_.opened.at(acknowledgements).traffic_class, TrafficClass::critical);
   const auto& acknowledgement =
       *static_cast<const Acknowledgement*>(script_.sent.back().sample.content.get());
-  EXPECT_EQ(acknowledgement.from_life(), ScriptedLink::own_life);
-  EXPECT_EQ(acknowledgement.to_life(), station);
+  EXPECT_EQ(acknowledgement.from_instance(), ScriptedLink::own_instance);
+  EXPECT_EQ(acknowledgement.to_instance(), station);
   ASSERT_EQ(acknowledgement.streams().size(), 1U);
   EXPECT_EQ(acknowledgement.streams()[0], peer_flow + 1);
   EXPECT_EQ(acknowledgement.highest()[0], 1U);
-}
-
-TEST_F(LinkRouterTest, WhatIsNotAcknowledgedIsSentAgain) {
-  meet();
-  const FlowId on_link = begin("heartbeat");
-  listen(on_link);
-  write(1);
-  run(0.3);
-  EXPECT_GE(script_.sent_on(on_link), 2U);
 }
 
 TEST_F(LinkRouterTest, WhatIsAcknowledgedIsNot) {
@@ -95,28 +74,28 @@ TEST_F(LinkRouterTest, WhatIsAcknowledgedIsNot) {
   EXPECT_EQ(script_.sent_on(on_link), 1U);
 }
 
-TEST_F(LinkRouterTest, AAcknowledgementForAnotherLifeOrWithoutSenseIsIgnored) {
+TEST_F(LinkRouterTest, AnAcknowledgementForAnotherInstanceOrWithoutSenseIsIgnored) {
   meet();
   begin_peer_flow("link_acknowledgement", acknowledgement_flow);
   const FlowId on_link = begin("heartbeat");
   listen(on_link);
   write(1);
   auto other = std::make_shared<Acknowledgement>();
-  other->to_life(12);
+  other->to_instance(12);
   other->streams({1000 + on_link});
   other->highest({1});
   other->age_100us({0});
   other->before({0});
   tell(other);
   auto odd = std::make_shared<Acknowledgement>(*other);
-  odd->to_life(ScriptedLink::own_life);
+  odd->to_instance(ScriptedLink::own_instance);
   odd->highest({});
   tell(odd);
   run(0.3);
   EXPECT_GE(script_.sent_on(on_link), 2U) << "it was taken for an acknowledgement";
 }
 
-TEST_F(LinkRouterTest, AAcknowledgementOfAPeersFormerLifeIsIgnored) {
+TEST_F(LinkRouterTest, AnAcknowledgementOfAPeersFormerInstanceIsIgnored) {
   meet();
   begin_peer_flow("link_acknowledgement", acknowledgement_flow);
   const FlowId on_link = begin("heartbeat");
@@ -126,7 +105,7 @@ TEST_F(LinkRouterTest, AAcknowledgementOfAPeersFormerLifeIsIgnored) {
   run(0.05);
   acknowledge(on_link, 1);
   run(0.3);
-  EXPECT_GE(script_.sent_on(on_link), 2U) << "it was taken for the new life's";
+  EXPECT_GE(script_.sent_on(on_link), 2U) << "it was taken for the new instance's";
 }
 
 TEST_F(LinkRouterTest, WhileTheStateOfItsRoleIsPassiveClassLowIsSilent) {
@@ -207,23 +186,23 @@ TEST_F(LinkRouterTest, ADurableSampleThatIsSentAgainToALatePeerCountsAsSentOnce)
   EXPECT_EQ(reports.back().topics()[0].dropped(), 0U);
 }
 
-TEST_F(LinkRouterTest, ARestartedPeerIsAnsweredInItsNewLife) {
+TEST_F(LinkRouterTest, ARestartedPeerIsAnsweredInItsNewInstance) {
   meet();
   begin_peer_flow("goal");
-  hear(1, 10);
+  receive(1, 10);
   run(0.2);
   meet(station + 1);
   script_.happen(link_event::PeerFlowGone{peer_flow});
   script_.happen(link_event::PeerLost{station});
   script_.happen(link_event::PeerFlow{peer_flow, station + 1, 5, flow("goal")});
   run(0);
-  hear(1, 10);  // what the host has from its former life
-  hear(2, 11);
-  EXPECT_EQ(script_.given.size(), 2U);
+  receive(1, 10);  // what the host has from its former instance
+  receive(2, 11);
+  EXPECT_EQ(script_.delivered.size(), 2U);
   run(0.2);
   const auto& acknowledgement =
       *static_cast<const Acknowledgement*>(script_.sent.back().sample.content.get());
-  EXPECT_EQ(acknowledgement.to_life(), station + 1);
+  EXPECT_EQ(acknowledgement.to_instance(), station + 1);
 }
 
 TEST_F(LinkRouterTest, WhileTheLinkIsNotUpItGoesOn) {

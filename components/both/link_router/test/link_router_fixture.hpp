@@ -25,12 +25,12 @@ class LinkRouterTest : public ::testing::Test {
   LinkRouterTest() {
     script_.rules =
         TrafficRules(std::string(TOCSIN_REPOSITORY) + "/config/traffic.yaml", Role::uxv);
-    start({}, real_devices());
+    start({}, this_computer());
   }
-  /// A life of the router; the one before has ended.
-  void start(const LinkRouterComponent::Params& params, Devices& devices) {
+  /// An instance of the router; the one before has ended.
+  void start(const LinkRouterComponent::Params& params, const Computer& computer) {
     host_.reset();
-    host_.emplace(script_, params, devices);
+    host_.emplace(script_, params, computer);
     run(0);
   }
 
@@ -46,8 +46,8 @@ class LinkRouterTest : public ::testing::Test {
     run(0);
     return script_.opened_for(topic);
   }
-  void meet(PeerId life = station) {
-    script_.happen(link_event::PeerFound{life, "gcs"});
+  void meet(PeerId instance = station) {
+    script_.happen(link_event::PeerFound{instance, "gcs"});
     run(0);
   }
   void listen(FlowId on_link) {
@@ -65,7 +65,7 @@ class LinkRouterTest : public ::testing::Test {
     run(0);
   }
   /// A peer's flow and one transmission on it.
-  void hear(std::uint64_t number, std::uint64_t sequence) {
+  void receive(std::uint64_t number, std::uint64_t sequence) {
     CarriedSample sample;
     sample.bytes = 100;
     sample.source = 3;
@@ -80,8 +80,8 @@ class LinkRouterTest : public ::testing::Test {
   }
   void acknowledge(FlowId on_link, std::uint64_t highest, std::uint32_t count = 1) {
     auto acknowledgement = std::make_shared<Acknowledgement>();
-    acknowledgement->from_life(station);
-    acknowledgement->to_life(ScriptedLink::own_life);
+    acknowledgement->from_instance(station);
+    acknowledgement->to_instance(ScriptedLink::own_instance);
     acknowledgement->count(count);
     acknowledgement->made_ns(host_->bus.now().time_since_epoch().count());
     acknowledgement->streams({1000 + on_link});
@@ -106,9 +106,9 @@ class LinkRouterTest : public ::testing::Test {
   void run(double s) { host_->bus.run_for(seconds(s)); }
 
   struct Host {
-    Host(ScriptedLink& script, const LinkRouterComponent::Params& params, Devices& devices)
+    Host(ScriptedLink& script, const LinkRouterComponent::Params& params, const Computer& computer)
         : bus(script),
-          context(Context(bus, "link_router", Role::uxv).with_devices(devices)),
+          context(Context(bus, "link_router", Role::uxv).with_computer(computer)),
           router(context, params) {
       bus.add(router);
     }

@@ -10,25 +10,16 @@
 
 #include "foundation/error.hpp"
 #include "foundation/parameters.hpp"
-#include "link_router/link_receiver.hpp"
 #include "link_router/link_sender.hpp"
 
 namespace tocsin::router {
 namespace {
 
-TEST(LinkRouterParams, DefaultsAreInOrder) { EXPECT_NO_THROW(check({})); }
-
 TEST(LinkRouterParams, RefusesWhatIsOutOfOrderAndNamesIt) {
   LinkRouterParams params;
-  params.repair_max_s = 0.05;
-  EXPECT_THROW(LinkSender{params}, ConfigError);
-  params = {};
-  params.acknowledgement_idle_s = 0.01;
-  EXPECT_THROW(LinkReceiver{params}, ConfigError);
-  params = {};
   params.hold_backlog_s = 0;
   try {
-    check(params);
+    const LinkSender sut(params);
     FAIL();
   } catch (const ConfigError& error) {
     EXPECT_THAT(error.what(), ::testing::HasSubstr("link_router.hold_backlog_s: 0 is below"));

@@ -1,22 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Delivery, peers and their lives, streams that come and go.
+// Delivery, peers and their instances, streams that come and go.
 #include "link_pair.hpp"
 
 namespace tocsin::router {
 namespace {
 
 using Sequences = std::vector<std::uint64_t>;
-
-TEST(Peers, SendsClassesInTheirOrder) {
-  LinkPair link;
-  const TrafficClass reversed[] = {TrafficClass::low, TrafficClass::normal, TrafficClass::high,
-                                   TrafficClass::critical};
-  for (StreamId stream = 0; stream < 4; ++stream) link.add(stream, rule_of(reversed[stream]));
-  for (StreamId stream = 0; stream < 4; ++stream) link.offer(stream, 1);
-  link.run(ms);
-  ASSERT_EQ(link.sent.size(), 4U);
-  for (StreamId i = 0; i < 4; ++i) EXPECT_EQ(link.sent[i].stream, 3 - i);
-}
 
 TEST(Peers, ALatePeerGetsTheNewestOfADurableStream) {
   LinkPair link;
@@ -49,7 +38,7 @@ TEST(Peers, ARestartedPeerGetsTheStateAgain) {
   link.add(1, durable);
   link.offer(1, 1);
   link.run(200 * ms);
-  link.receiver = LinkReceiver(LinkRouterParams{});
+  link.receiver = LinkReceiver();
   link.receiver.on_peer("vehicle", 1);
   link.receiver.on_stream("vehicle", 1, durable);
   link.sender.on_peer("station", 3, link.now);

@@ -25,7 +25,7 @@ inline constexpr Time radio_start{std::chrono::hours(1)};
 class RadioPair {
  public:
   RadioPair(const radio::ChannelParams& channel, const LinkRouterParams& params, std::uint64_t seed)
-      : radio(channel, {}, seed, radio_start), sender(params), receiver(params) {
+      : radio(channel, {}, seed, radio_start), sender(params) {
     sender.on_peer("station", 2, now);
     receiver.on_peer("vehicle", 1);
   }

@@ -57,25 +57,25 @@ class RandomLink {
 
   void restart_sender() {
     sender_ = std::make_unique<LinkSender>(params_);
-    ++sender_life_;
+    ++sender_instance_;
     air_.clear();
     numbers_.clear();
     first_sent_.clear();
     paused_ = false;
     for (const auto& [stream, rule] : rules_) sender_->add_stream(stream, rule);
-    if (receiver_) receiver_->on_peer("vehicle", sender_life_);
+    if (receiver_) receiver_->on_peer("vehicle", sender_instance_);
     meet();
   }
   void restart_receiver() {
-    receiver_ = std::make_unique<LinkReceiver>(params_);
-    ++receiver_life_;
-    receiver_->on_peer("vehicle", sender_life_);
+    receiver_ = std::make_unique<LinkReceiver>();
+    ++receiver_instance_;
+    receiver_->on_peer("vehicle", sender_instance_);
     delivered_.clear();
     meet();
   }
   void meet() {
     if (!receiver_) return;
-    sender_->on_peer("station", receiver_life_, now_);
+    sender_->on_peer("station", receiver_instance_, now_);
     for (const auto& [stream, rule] : rules_) {
       receiver_->on_stream("vehicle", stream, rule);
       sender_->set_wanted("station", stream, true, now_);
@@ -195,8 +195,8 @@ class RandomLink {
   LinkRouterParams params_;
   std::map<StreamId, StreamRule> rules_;
   Time now_{std::chrono::hours(1)};
-  InstanceId sender_life_ = 0;
-  InstanceId receiver_life_ = 1000;
+  InstanceId sender_instance_ = 0;
+  InstanceId receiver_instance_ = 1000;
   std::unique_ptr<LinkSender> sender_;
   std::unique_ptr<LinkReceiver> receiver_;
   bool paused_ = false;

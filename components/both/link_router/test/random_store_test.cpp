@@ -89,7 +89,7 @@ class RandomStore {
 
   void start_vehicle() {
     sender_ = std::make_unique<LinkSender>(LinkRouterParams{});
-    ++vehicle_life_;
+    ++vehicle_instance_;
     numbers_.clear();
     backfill_ = std::make_unique<BackfillSender>(LinkRouterParams{});
     log_.reset();
@@ -104,23 +104,23 @@ class RandomStore {
     }
     sender_->add_backfill_stream(backfill_stream);
     for (const SampleId& id : log_->waiting()) backfill_->recover(id);
-    if (receiver_) receiver_->on_peer("vehicle", vehicle_life_);
+    if (receiver_) receiver_->on_peer("vehicle", vehicle_instance_);
     meet();
   }
   void start_station() {
-    receiver_ = std::make_unique<LinkReceiver>(LinkRouterParams{});
-    ++station_life_;
+    receiver_ = std::make_unique<LinkReceiver>();
+    ++station_instance_;
     filled_ = std::make_unique<BackfillReceiver>();
     ledger_.reset();
     ledger_ = std::make_unique<sample_log::Ledger>(station_files_, "given");
     filled_->recover(ledger_->done());
     confirmations_.clear();
-    receiver_->on_peer("vehicle", vehicle_life_);
+    receiver_->on_peer("vehicle", vehicle_instance_);
     meet();
   }
   void meet() {
     if (!receiver_) return;
-    sender_->on_peer("station", station_life_, now_);
+    sender_->on_peer("station", station_instance_, now_);
     for (const auto& [stream, rule] : rules_) {
       receiver_->on_stream("vehicle", stream, rule);
       sender_->set_wanted("station", stream, true, now_);
@@ -217,22 +217,22 @@ class RandomStore {
       if (one.stream == backfill_stream) {
         take(batch);
       } else if (disposition == Disposition::deliver) {
-        give_live(id_of(one.stream, origin));
+        deliver_live(id_of(one.stream, origin));
       }
     }
   }
-  void give_live(const SampleId& id) {
+  void deliver_live(const SampleId& id) {
     // A restarted receiver gets the newest of a durable stream again, as a late reader does.
     if (!filled_->on_live(id)) return;
-    EXPECT_TRUE(given_.insert(id).second) << "given twice, live";
+    EXPECT_TRUE(delivered_.insert(id).second) << "delivered twice, live";
     (void)ledger_->add(id);
     EXPECT_EQ(ledger_->save(), mcap::Kept::all);
   }
   void take(const BackfillBatch& batch) {
-    for (const BackfillBatch& one : filled_->on_batch("vehicle", vehicle_life_, batch)) {
+    for (const BackfillBatch& one : filled_->on_batch("vehicle", vehicle_instance_, batch)) {
       for (const auto& entry : one.samples) {
         ++backfilled_;
-        EXPECT_TRUE(given_.insert(entry.id).second) << "given twice";
+        EXPECT_TRUE(delivered_.insert(entry.id).second) << "delivered twice";
         auto& last = last_filled_[{entry.id.stream, entry.id.source}];
         EXPECT_GT(entry.id.sequence, last) << "out of the order of its writer";
         last = entry.id.sequence;
@@ -247,7 +247,7 @@ class RandomStore {
       if (chance(loss_)) continue;
       confirmations_.emplace(now_ + (1 + below(delay_ms_)) * ms,
                              std::make_pair(acknowledgement->acknowledgement,
-                                            filled_->progress("vehicle", vehicle_life_)));
+                                            filled_->progress("vehicle", vehicle_instance_)));
     }
     for (; !confirmations_.empty() && confirmations_.begin()->first <= now_;
          confirmations_.erase(confirmations_.begin())) {
@@ -259,7 +259,7 @@ class RandomStore {
   [[nodiscard]] std::vector<SampleId> missing() const {
     std::vector<SampleId> missing;
     for (const SampleId& id : offered_) {
-      if (given_.count(id) == 0 && retired_.count(id) == 0) missing.push_back(id);
+      if (delivered_.count(id) == 0 && retired_.count(id) == 0) missing.push_back(id);
     }
     return missing;
   }
@@ -269,8 +269,8 @@ class RandomStore {
   Time now_{std::chrono::hours(1)};
   sample_log::MemoryFiles vehicle_files_;
   sample_log::MemoryFiles station_files_;
-  InstanceId vehicle_life_ = 0;
-  InstanceId station_life_ = 1000;
+  InstanceId vehicle_instance_ = 0;
+  InstanceId station_instance_ = 1000;
   std::unique_ptr<LinkSender> sender_;
   std::unique_ptr<BackfillSender> backfill_;
   std::unique_ptr<sample_log::SampleLog> log_;
@@ -287,12 +287,12 @@ class RandomStore {
   std::map<std::pair<StreamId, SourceId>, std::uint64_t> sequences_;
   std::map<std::pair<std::uint64_t, std::uint64_t>, std::uint64_t> last_filled_;
   std::set<SampleId> offered_;
-  std::set<SampleId> given_;
+  std::set<SampleId> delivered_;
   std::set<SampleId> retired_;
   std::size_t backfilled_ = 0;
 };
 
-TEST(RandomStore, LosesNothingButByTheLogsBoundsAndGivesEachSampleOnceAndInOrder) {
+TEST(RandomStore, LosesNothingButByTheLogsBoundsAndDeliversEachSampleOnceAndInOrder) {
   std::size_t backfilled = 0;
   std::size_t retired = 0;
   for (unsigned seed = 1; seed <= 16 && !HasFailure(); ++seed) {

@@ -38,31 +38,6 @@ TEST(Repair, BacksOffWhileNothingIsAcknowledged) {
   EXPECT_GE(link.sent.size(), 12U);
 }
 
-TEST(Repair, NeverRepairsWhatANewerOneHasFollowed) {
-  LinkPair link;
-  link.add(1, rule_of(TrafficClass::critical));
-  link.dead = true;
-  link.offer(1, 1);
-  link.run(50 * ms);
-  link.offer(1, 2);
-  link.run(3000 * ms);
-  for (const Transmission& one : link.sent) {
-    EXPECT_TRUE(!one.repair || one.sample.origin.sequence == 2U);
-  }
-  EXPECT_EQ(link.counts(TrafficClass::critical).lost, 1U);
-}
-
-TEST(Repair, RepairsOnlyWithinTheLifespan) {
-  LinkPair link;
-  StreamRule rule = rule_of(TrafficClass::critical);
-  rule.lifespan = 250 * ms;
-  link.add(1, rule);
-  link.dead = true;
-  link.offer(1, 1);
-  link.run(5000 * ms);
-  EXPECT_EQ(link.sent.size(), 3U) << "at 0, 70 and 175 ms; 332.5 ms is too late";
-}
-
 TEST(Repair, GivesUpASampleWithoutALifespanAfterABoundUnlessItIsDurable) {
   LinkPair link;
   StreamRule durable = rule_of(TrafficClass::critical);

@@ -20,7 +20,7 @@ router::LinkAcknowledgement acknowledgement() {
   return acknowledgement;
 }
 
-TEST(RouterMessages, AAcknowledgementComesBackAsItWas) {
+TEST(RouterMessages, AnAcknowledgementIsReadAsItWasWritten) {
   const auto back = to_acknowledgement(to_message(acknowledgement()), same);
   ASSERT_TRUE(back);
   EXPECT_EQ(back->count, 3U);

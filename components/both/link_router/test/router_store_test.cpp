@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "devices/absent_devices.hpp"
+#include "devices/computer.hpp"
 #include "foundation/temporary_folder.hpp"
 
 namespace tocsin {
@@ -24,8 +24,7 @@ using ::testing::HasSubstr;
 constexpr Time t0{std::chrono::hours(1)};
 
 /// A disk that does nothing until it is told to.
-class SlowDisk final : public AbsentDevices {
- public:
+struct SlowDisk {
   class Waiting final : public Background {
    public:
     explicit Waiting(SlowDisk& disk) : disk_(disk) {}
@@ -35,19 +34,17 @@ class SlowDisk final : public AbsentDevices {
    private:
     SlowDisk& disk_;
   };
-  std::unique_ptr<Background> open_background() override {
-    return std::make_unique<Waiting>(*this);
-  }
   void work() {
     for (auto& one : std::exchange(posted, {})) one();
   }
   std::vector<std::function<void()>> posted;
+  Computer computer{Devices(), false, false, [this] { return std::make_unique<Waiting>(*this); }};
 };
 
 class RouterStoreTest : public ::testing::Test {
  protected:
   void start(const std::string& folder, sample_log::LogUse use = sample_log::LogUse::queue) {
-    sut_.emplace(disk_, StorePlace{folder, {}, use}, [this] { ++told_; });
+    sut_.emplace(disk_.computer, StorePlace{folder, {}, use}, [this] { ++told_; });
     sut_->open({t0, 1000});
     sut_->add({"battery|", "/battery", {0, "Battery", "", ""}, {}});
   }
@@ -82,7 +79,7 @@ TEST_F(RouterStoreTest, NothingWaitsForTheDisk) {
   EXPECT_EQ(answers[0].read.at(0).id, id(1));
 }
 
-TEST_F(RouterStoreTest, TellsFirstWhatEarlierLivesLeft) {
+TEST_F(RouterStoreTest, AnswersFirstWhatEarlierInstancesLeft) {
   start(folder_.path("store"));
   append(1);
   append(2);
@@ -96,12 +93,12 @@ TEST_F(RouterStoreTest, TellsFirstWhatEarlierLivesLeft) {
   ASSERT_TRUE(first && std::holds_alternative<store_answer::Opened>(*first));
   const auto& opened = std::get<store_answer::Opened>(*first);
   EXPECT_THAT(opened.waiting, ElementsAre(id(2)));
-  EXPECT_TRUE(opened.given.contains({1, 2, 3}));
+  EXPECT_TRUE(opened.delivered.contains({1, 2, 3}));
   ASSERT_EQ(opened.streams.size(), 1U);
   EXPECT_EQ(opened.streams[0].name, "battery|");
 }
 
-TEST_F(RouterStoreTest, WhatWasGivenIsSafeWhenItsTokenIsAnswered) {
+TEST_F(RouterStoreTest, WhatWasDeliveredIsSafeWhenItsTokenIsAnswered) {
   start(folder_.path("store"));
   sut_->note_delivered({{1, 2, 3}}, 41);
   sut_->note_delivered({}, 42);
@@ -156,7 +153,7 @@ TEST_F(RouterStoreTest, AFolderThatCannotBeMadeIsOneProblemAndEverythingIsRefuse
     saved = saved || std::holds_alternative<store_answer::Saved>(*answer);
   }
   EXPECT_EQ(problems, 1U);
-  EXPECT_TRUE(saved) << "what comes is given all the same";
+  EXPECT_TRUE(saved) << "what comes is delivered all the same";
 }
 
 TEST_F(RouterStoreTest, AHistoryTellsWhatItHasAndFindsIt) {
@@ -189,7 +186,7 @@ TEST_F(RouterStoreTest, AHistoryTellsWhatItHasAndFindsIt) {
   EXPECT_TRUE(told && found);
 }
 
-TEST_F(RouterStoreTest, RequestsAreThereForTheNextLife) {
+TEST_F(RouterStoreTest, RequestsAreThereForTheNextInstance) {
   start(folder_.path("store"), sample_log::LogUse::history);
   sut_->keep_requests("7 1 2 stop odom\n");
   sut_->keep_requests("8 1 2 stop odom\n");

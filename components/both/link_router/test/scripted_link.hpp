@@ -19,7 +19,7 @@ namespace tocsin {
 /// A link whose events a test makes up, and which notes what the router does.
 class ScriptedLink {
  public:
-  static constexpr PeerId own_life = 41;
+  static constexpr PeerId own_instance = 41;
 
   struct Opened {
     Flow flow;
@@ -30,7 +30,7 @@ class ScriptedLink {
     FlowId flow;
     CarriedSample sample;
   };
-  struct Given {
+  struct Delivered {
     FlowId flow;
     CarriedSample sample;
   };
@@ -56,7 +56,7 @@ class ScriptedLink {
   std::function<void()> on_event = [] {};
   std::map<FlowId, Opened> opened;
   std::vector<Sent> sent;
-  std::vector<Given> given;
+  std::vector<Delivered> delivered;
   std::vector<FlowId> offered;
   std::map<FlowId, Flow> offered_here;  ///< flows that are no peer's
   std::vector<bool> gate;               ///< each time that it changed: open
@@ -79,7 +79,7 @@ class ScriptedLinkBus final : public LinkBus {
     script_.events.pop_front();
     return event;
   }
-  [[nodiscard]] PeerId self() const override { return ScriptedLink::own_life; }
+  [[nodiscard]] PeerId self() const override { return ScriptedLink::own_instance; }
   FlowId open(const Flow& flow, TrafficClass traffic_class) override {
     script_.opened[++last_] = {flow, traffic_class};
     return last_;
@@ -102,7 +102,7 @@ class ScriptedLinkBus final : public LinkBus {
     return last_;
   }
   void give(FlowId flow, const CarriedSample& sample) override {
-    script_.given.push_back({flow, sample});
+    script_.delivered.push_back({flow, sample});
   }
   [[nodiscard]] std::vector<std::uint8_t> bytes_of(const CarriedSample& sample) const override {
     return std::vector<std::uint8_t>(sample.bytes, static_cast<std::uint8_t>(sample.sequence));
@@ -140,15 +140,16 @@ class ScriptedLinkBus final : public LinkBus {
 };
 
 /// The bus of a host whose router has a scripted link.
-class RoutedSimBus final : public SimBus {
+class RoutedSimBus final : public SimBus, private LinkAccess {
  public:
   explicit RoutedSimBus(ScriptedLink& script) : script_(script) {}
+  [[nodiscard]] LinkAccess* link_access() override { return this; }
+
+ private:
   std::unique_ptr<LinkBus> open_link(const std::function<void()>& on_event) override {
     script_.on_event = on_event;
     return std::make_unique<ScriptedLinkBus>(script_);
   }
-
- private:
   ScriptedLink& script_;
 };
 

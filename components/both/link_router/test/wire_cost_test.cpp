@@ -34,11 +34,5 @@ TEST(WireCost, DataEndsAtAMultipleOfFour) {
   EXPECT_EQ(packets_of(45)[0], packets_of(44)[0] + 4);
 }
 
-TEST(WireCost, IsTheSumOfThePackets) {
-  EXPECT_EQ(wire_cost(100).packets, 1U);
-  EXPECT_EQ(wire_cost(100).bytes, packets_of(100)[0]);
-  EXPECT_EQ(wire_cost(10'000).bytes, 10'000U + 9 * 144);
-}
-
 }  // namespace
 }  // namespace tocsin::router

@@ -3,10 +3,7 @@
 
 #include <utility>
 
-#include "foundation/enum_words.hpp"
 #include "foundation/error.hpp"
-#include "recorder/bag_recording.hpp"
-#include "recorder/csv_recording.hpp"
 #include "runtime/component_entry.hpp"
 #include "runtime/middleware/idl_libraries.hpp"
 
@@ -38,19 +35,6 @@ std::vector<ChosenTopic> chosen_topics(const std::string& name,
   return chosen;
 }
 
-std::vector<std::unique_ptr<Recording>> recordings_of(const std::string& name,
-                                                      const RecorderComponent::Params& params,
-                                                      const std::string& directory, Logger& log) {
-  std::vector<std::unique_ptr<Recording>> recordings;
-  if (params.csv) recordings.push_back(std::make_unique<CsvRecording>(name, directory, log));
-  if (params.bag) {
-    const auto compression = value_of<mcap::Compression>(params.bag_compression);
-    recordings.push_back(
-        std::make_unique<BagRecording>(directory, compression.value_or(mcap::Compression::none)));
-  }
-  return recordings;
-}
-
 }  // namespace
 
 RecorderComponent::RecorderComponent(Context& context, const Params& params)
@@ -61,35 +45,30 @@ RecorderComponent::RecorderComponent(Context& context, const Params& params)
       flush_period_(seconds(params.flush_period_s)),
       topics_(chosen_topics(context.name, params)),
       wanted_(params.recording) {
-  if (!params.csv && !params.bag) {
-    throw ConfigError(name() + ": nothing would be recorded, since neither csv nor bag is true");
-  }
   if (wanted_) begin(bus().now());
 }
 
 void RecorderComponent::begin(Time now) {
   began_ = now;
   began_wall_ns_ = bus().wall_ns(now);
-  recordings_ = recordings_of(name(), params_, directory_, log());
+  recording_.emplace(directory_, params_.bag_compression);
   for (const ChosenTopic& topic : topics_) {
     auto input = listen_to(topic);
     if (!input) continue;
-    std::vector<std::size_t> numbers;
-    for (const auto& recording : recordings_) numbers.push_back(recording->add(topic));
-    tracks_.push_back({std::move(numbers), std::move(input)});
+    tracks_.push_back({recording_->add(topic), std::move(input)});
   }
 }
 
 void RecorderComponent::end() {
   tracks_.clear();
-  recordings_.clear();
+  recording_.reset();
   lost_ = 0;
   disk_full_ = false;
 }
 
 /// In motion nothing throws: what cannot begin now is tried again.
 void RecorderComponent::follow_wish(Time now) {
-  if (wanted_ == !recordings_.empty()) return;
+  if (wanted_ == recording_.has_value()) return;
   if (!wanted_) {
     end();
     log().info("records no more");
@@ -125,7 +104,7 @@ std::unique_ptr<InputPort> RecorderComponent::listen_to(const ChosenTopic& topic
 void RecorderComponent::tick(Time now) {
   take_samples();
   follow_wish(now);
-  if (recordings_.empty()) return;
+  if (!recording_) return;
   if (now >= next_flush_) flush(now);
   wake_at(next_flush_);
 }
@@ -135,26 +114,22 @@ void RecorderComponent::take_samples() {
     while (auto sample = track.input->take_sample()) {
       // What was there before, as the last one of a state, comes into the recording as it begins.
       if (sample->received < began_) sample->received_wall_ns = began_wall_ns_;
-      for (std::size_t i = 0; i < recordings_.size(); ++i) {
-        recordings_[i]->write(track.numbers[i], *sample);
-      }
+      recording_->write(track.number, *sample);
     }
   }
 }
 
 void RecorderComponent::flush(Time now) {
   next_flush_ = next_instant(flush_period_, now);
-  const std::uint64_t lost_before = std::exchange(lost_, 0);
-  for (const auto& recording : recordings_) {
-    recording->flush();
-    lost_ += recording->lost();
-  }
+  recording_->flush();
+  const std::uint64_t lost_before = std::exchange(lost_, recording_->lost());
   const bool was_full = std::exchange(disk_full_, lost_ > lost_before);
   if (disk_full_ != was_full) {
     if (disk_full_) {
-      log().error("rows are being lost: {} cannot be written", directory_);
+      log().error("messages are being lost: {} cannot be written", directory_);
     } else {
-      log().info("{} can be written again; {} rows were lost since the start", directory_, lost_);
+      log().info("{} can be written again; {} messages were lost since the start", directory_,
+                 lost_);
     }
   }
 }

@@ -13,11 +13,11 @@ TransmissionController::TransmissionController(const Params& params)
       timeout_(seconds(params.quality_timeout_s)),
       silence_is_poor_(params.silence_is_poor) {}
 
-TransmissionDecision TransmissionController::on_quality(
-    const decision::QualityMeasurement& measured, Time now) {
+TransmissionDecision TransmissionController::on_quality(const decision::QniInput& measured,
+                                                        Time now) {
   heard_ = now;
   silent_at_ = now + timeout_;
-  const auto published = static_cast<float>(index_.evaluate(measured));
+  const auto published = static_cast<float>(index_.evaluate(measured).value);
   return conclude(policy_->on_sample({now, published}, now), now);
 }
 

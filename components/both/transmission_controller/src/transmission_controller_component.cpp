@@ -4,21 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "learned_law_status.hpp"
 #include "runtime/component_entry.hpp"
 
 namespace tocsin {
 namespace {
-
-std::optional<double> measured(float value) {
-  return std::isnan(value) ? std::nullopt : std::optional<double>(value);
-}
-
-decision::QualityMeasurement to_measurement(const tocsin_msgs::msg::NetworkQuality& quality) {
-  return {measured(quality.per_percent()),     measured(quality.signal_dbm()),
-          measured(quality.quality_percent()), measured(quality.retry_percent()),
-          measured(quality.busy_percent()),    measured(quality.rtt_mean_ms())};
-}
 
 float remaining_s(const std::optional<Time>& deadline, Time now) {
   return deadline ? static_cast<float>(to_seconds(*deadline - now))
@@ -35,13 +24,12 @@ TransmissionControllerComponent::TransmissionControllerComponent(Context& contex
 
 void TransmissionControllerComponent::tick(Time now) {
   while (const auto quality = quality_.take()) {
-    publish(controller_.on_quality(to_measurement(*quality), now), now);
+    const auto measured = decision::qni_input(quality->per_percent(), quality->signal_dbm(),
+                                              quality->quality_percent());
+    publish(controller_.on_quality(measured, now), now);
   }
   if (const auto decision = controller_.on_time(now)) publish(*decision, now);
-  if (now >= next_beat_) {
-    beat(now);
-    report_laws(now);
-  }
+  if (now >= next_beat_) beat(now);
   wake_at(std::min(controller_.deadline(), next_beat_));
 }
 
@@ -74,24 +62,6 @@ void TransmissionControllerComponent::beat(Time now) {
   message.role(to_string(context().role));
   message.count(++beats_);
   if (heartbeat_.write(std::move(message)) == Status::failed) log().warn("no heartbeat was sent");
-}
-
-void TransmissionControllerComponent::report_laws(Time now) {
-  const auto law = controller_.learned();
-  if (!law) return;
-  log_laws(*law);
-  if (!diagnostics_.wanted()) return;
-  topic::Diagnostics::Message message;
-  message.header().stamp(wall(now));
-  message.status().push_back(status_of(*law, name()));
-  if (diagnostics_.write(std::move(message)) == Status::failed) log().warn("no laws were sent");
-}
-
-void TransmissionControllerComponent::log_laws(const decision::LearnedLaw& law) {
-  if (law.applied != applied_) log().info("decides by {}", text_of(law.in_force));
-  if (law.proposed && !proposed_) log().info("{}", text_of(law));
-  applied_ = law.applied;
-  proposed_ = law.proposed;
 }
 
 }  // namespace tocsin

@@ -14,12 +14,12 @@ using decision::Reason;
 using decision::State;
 
 const Time t0{std::chrono::hours(1)};
-const decision::QualityMeasurement good{0.0, -45.0, 100.0, {}, {}};
-const decision::QualityMeasurement dead{100.0, -99.0, 0.0, {}, {}};
+const decision::QniInput good{0.0, -45.0, 70.0};
+const decision::QniInput dead{100.0, -99.0, 0.0};
 
 TransmissionController make(bool silence_is_poor = false) {
   TransmissionController::Params params;
-  params.policy.policy = "tocp_dsp";
+  params.policy.policy = decision::PolicyKind::tocp_dsp;
   params.silence_is_poor = silence_is_poor;
   return TransmissionController(params);
 }
@@ -42,10 +42,10 @@ TEST(TransmissionController, PausesOnADeadLink) {
 
 TEST(TransmissionController, DecidesByTheIndexAsItIsPublished) {
   TransmissionController::Params params;
-  params.policy.policy = "threshold";
+  params.policy.policy = decision::PolicyKind::threshold;
   params.policy.pause_below_qni = 40;
-  params.quality.thesis.weight_per = 1;
-  params.quality.thesis.weight_signal = params.quality.thesis.weight_quality = 0;
+  params.quality.weight_per = 1;
+  params.quality.weight_signal = params.quality.weight_quality = 0;
   TransmissionController sut(params);
   const auto decision = sut.on_quality({60.0000001, std::nullopt, std::nullopt}, t0);
   EXPECT_EQ(decision.evidence.sample, 40.0);  // as a float; a recording has no more digits
@@ -56,7 +56,7 @@ TEST(TransmissionController, DecidesByTheIndexAsItIsPublished) {
 
 TEST(TransmissionController, ForcesTheResumeAtTheDeadlineWithoutSamples) {
   TransmissionController::Params params;
-  params.policy.policy = "tocp_dsp";
+  params.policy.policy = decision::PolicyKind::tocp_dsp;
   params.quality_timeout_s = 600;
   TransmissionController sut(params);
   const auto pause = sut.on_quality(dead, t0).evidence;
@@ -106,13 +106,13 @@ TEST(TransmissionController, SilenceIsRepeatedOnceEachTimeout) {
 
 TEST(TransmissionController, RefusesWeightsThatDoNotSumToOne) {
   TransmissionController::Params params;
-  params.quality.thesis.weight_per = 0.5;
+  params.quality.weight_per = 0.5;
   EXPECT_THROW(TransmissionController{params}, ConfigError);
 }
 
 TEST(TransmissionController, PolicyNoneNeverPauses) {
   TransmissionController::Params params;
-  params.policy.policy = "none";
+  params.policy.policy = decision::PolicyKind::none;
   TransmissionController sut(params);
   for (int i = 0; i < 100; ++i) {
     EXPECT_EQ(sut.on_quality(dead, t0 + seconds(i)).evidence.state, State::active);

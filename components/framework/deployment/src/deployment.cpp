@@ -155,6 +155,17 @@ void add_texts(const YAML::Node& removed, std::set<std::string>& texts) {
   for (const auto& entry : removed) add_texts(removed.IsMap() ? entry.second : entry, texts);
 }
 
+/// What network_monitor probes where no file and no `--set` says it: the first peer of its host.
+void set_target(const Host& host, ComponentInstance& instance) {
+  if (instance.component != "network_monitor" || (*instance.parameters)["target"]) return;
+  if (host.peers.empty()) {
+    throw ConfigError("hosts." + host.name + ": " + instance.name +
+                      " has no target, and the host has no peer to probe (" + instance.place + ")");
+  }
+  YAML::Node parameters = *instance.parameters;
+  parameters["target"] = host.peers.front();
+}
+
 /// A parameter file of the base may go on to set parameters of components that were taken away.
 void merge_parameters(const ParameterSet& parameters, const std::vector<YamlRemoval>& removals,
                       Deployment& deployment) {
@@ -165,6 +176,7 @@ void merge_parameters(const ParameterSet& parameters, const std::vector<YamlRemo
     for (Container& container : host.containers) {
       for (ComponentInstance& instance : container.components) {
         parameters.apply(host.name + "/" + container.name, instance);
+        set_target(host, instance);
       }
     }
   }

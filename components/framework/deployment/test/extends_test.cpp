@@ -91,19 +91,9 @@ hosts:
   EXPECT_EQ((*uxv.containers[0].components[0].parameters)["map"].Scalar(), path("maps/a.yaml"));
 }
 
-TEST_F(ExtendsTest, OtherListsAreReplaced) {
-  const Deployment sut = load_own("hosts: {uxv: {peers: [10.77.0.9]}}");
-  EXPECT_THAT(sut.hosts[0].peers, ElementsAre("10.77.0.9"));
-}
-
 TEST_F(ExtendsTest, TheRadioCanBeTakenAway) {
   EXPECT_FALSE(load_own("radio: ~\n").radio);
   EXPECT_THAT(error_of_own("raido: ~\n"), HasSubstr("raido: there is nothing to remove"));
-}
-
-TEST_F(ExtendsTest, AProcessCanBeTakenAway) {
-  const Deployment sut = load_own("hosts:\n  uxv:\n    programs:\n      - base: ~\n");
-  EXPECT_TRUE(sut.hosts[0].programs.empty());
 }
 
 TEST_F(ExtendsTest, ParameterFilesComeAfterTheBases) {

@@ -90,4 +90,17 @@ inline std::string with(std::string text, const std::string& from, const std::st
   return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
+/// A mistake in `whole`, and a part of what is said of it.
+struct Mistake {
+  const char* from;
+  const char* to;
+  std::string error;
+};
+template <class Load>
+void expect_errors(const Load& error_of, const std::vector<Mistake>& mistakes) {
+  for (const auto& [from, to, error] : mistakes) {
+    EXPECT_THAT(error_of(with(whole, from, to)), ::testing::HasSubstr(error)) << to;
+  }
+}
+
 }  // namespace tocsin::deployment

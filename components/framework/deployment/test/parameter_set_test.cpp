@@ -139,5 +139,20 @@ TEST_F(ParameterSetTest, KnowsWhereEachValueCameFrom) {
   EXPECT_EQ(places.at("limit"), "--set pilot.limit=1");
 }
 
+TEST_F(ParameterSetTest, ANetworkMonitorProbesTheFirstPeerOfItsHostUnlessATargetIsSet) {
+  const auto target_in = [this](const std::string& yaml) {
+    return (*load(yaml).hosts[0].containers[0].components[0].parameters)["target"]
+        .as<std::string>();
+  };
+  const std::string probing = with(whole, "          - driver\n", "          - network_monitor\n");
+  EXPECT_EQ(target_in(probing), "10.77.0.2");
+  const std::string alone = with(probing, "    peers: [10.77.0.2]\n", "");
+  EXPECT_THAT(error_of(alone), HasSubstr("hosts.uxv: network_monitor has no target, and the host "
+                                         "has no peer to probe ("));
+  overrides_.set = {"network_monitor.target=10.77.0.9"};
+  EXPECT_EQ(target_in(probing), "10.77.0.9");
+  EXPECT_EQ(target_in(alone), "10.77.0.9");
+}
+
 }  // namespace
 }  // namespace tocsin::deployment

@@ -4,6 +4,16 @@
 #include <utility>
 
 namespace tocsin {
+namespace {
+
+class AtOnce final : public Background {
+  void post(std::function<void()> work) override { work(); }
+  [[nodiscard]] std::size_t waiting() const override { return 0; }
+};
+
+}  // namespace
+
+std::unique_ptr<Background> work_at_once() { return std::make_unique<AtOnce>(); }
 
 BackgroundThread::~BackgroundThread() {
   {

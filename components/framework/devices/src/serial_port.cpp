@@ -71,12 +71,12 @@ void ask_for_low_latency(int fd) {
 
 OpenedSerial busy(const std::string& path) {
   const auto holder = holder_of(path);
-  return {OpenedSerial::Result::busy, nullptr,
-          path + " is in use by " + holder.value_or("another process"), holder.has_value()};
+  return {OpenedSerial::Result::busy, path + " is in use by " + holder.value_or("another process"),
+          holder.has_value()};
 }
 
 OpenedSerial absent(const std::string& path, const std::string& why) {
-  return {OpenedSerial::Result::absent, nullptr, path + ": " + why, false};
+  return {OpenedSerial::Result::absent, path + ": " + why};
 }
 
 }  // namespace
@@ -91,7 +91,7 @@ OpenedSerial open_serial_port(const std::string& path) {
   auto port = std::make_unique<SerialPort>(std::move(file));  // its end gives up what is locked
   if (!configure(descriptor)) return absent(path, "cannot be set to 115200 baud");
   ask_for_low_latency(descriptor);
-  return {OpenedSerial::Result::open, std::move(port), {}, false};
+  return port;
 }
 
 }  // namespace tocsin

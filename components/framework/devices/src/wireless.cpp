@@ -123,6 +123,8 @@ WirelessReading absent(std::string note) {
   return reading;
 }
 
+WirelessReading WirelessDevice::read() { return absent("nothing is known of it"); }
+
 WirelessReading parse_proc_wireless(const std::string& text, const std::string& interface) {
   const auto columns = columns_of(text, interface);
   if (!columns) return absent(interface + " is not a wireless interface");

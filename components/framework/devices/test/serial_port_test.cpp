@@ -39,7 +39,7 @@ struct Holder {
     pid = ::fork();
     if (pid == 0) {
       const auto opened = open_serial_port(path);
-      const char result = opened.port ? 'y' : 'n';
+      const char result = opened.device ? 'y' : 'n';
       if (::write(ready[1], &result, 1) == 1) ::pause();
       ::_exit(0);
     }
@@ -64,9 +64,9 @@ TEST(SerialPort, CarriesRawBytesBothWays) {
                             0x00, 0x11, 0xFF};  // a cooked line would change these
   ASSERT_EQ(::write(terminal.master, sent, sizeof sent), 6);
   std::uint8_t got[16] = {};
-  EXPECT_EQ(sut.port->read(got, sizeof got), 6U);
+  EXPECT_EQ(sut.device->read(got, sizeof got), 6U);
   EXPECT_TRUE(std::equal(std::begin(sent), std::end(sent), got));
-  EXPECT_TRUE(sut.port->write(sent, sizeof sent));
+  EXPECT_TRUE(sut.device->write(sent, sizeof sent));
   EXPECT_EQ(::read(terminal.master, got, sizeof got), 6);
   EXPECT_EQ(got[1], 0x0A);
 }
@@ -75,7 +75,7 @@ TEST(SerialPort, ReadsNothingWithoutBlocking) {
   Terminal terminal;
   auto sut = open_serial_port(terminal.path);
   std::uint8_t byte = 0;
-  EXPECT_EQ(sut.port->read(&byte, 1), 0U);
+  EXPECT_EQ(sut.device->read(&byte, 1), 0U);
 }
 
 TEST(SerialPort, TellsThatItWasLost) {
@@ -83,15 +83,15 @@ TEST(SerialPort, TellsThatItWasLost) {
   auto sut = open_serial_port(terminal.path);
   terminal.hang_up();
   std::uint8_t byte = 0;
-  EXPECT_FALSE(sut.port->read(&byte, 1));
-  EXPECT_FALSE(sut.port->write(&byte, 1));
+  EXPECT_FALSE(sut.device->read(&byte, 1));
+  EXPECT_FALSE(sut.device->write(&byte, 1));
 }
 
 TEST(SerialPort, DropsWhatDoesNotFitWithoutBlocking) {
   Terminal terminal;
   auto sut = open_serial_port(terminal.path);
   const std::vector<std::uint8_t> much(1000, 7);
-  for (int i = 0; i < 100; ++i) EXPECT_TRUE(sut.port->write(much.data(), much.size()));
+  for (int i = 0; i < 100; ++i) EXPECT_TRUE(sut.device->write(much.data(), much.size()));
 }
 
 TEST(SerialPort, IsAbsentWhenThereIsNone) {

@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <random>
+#include <utility>
 
 #include "wireless_reader.hpp"
 
@@ -43,13 +44,24 @@ TEST(ProcWireless, ReadsSignalAndQualityOfARealKernel) {
   EXPECT_EQ(sut.note, "");
 }
 
-TEST(ProcWireless, TakesNoise256AsInvalid) {
-  EXPECT_EQ(parse(good).noise_dbm, std::nullopt);
-  EXPECT_THAT(parse(" wlan1: 0000 22. -88. -255. 0 0 0 0 0 0\n").noise_dbm, Optional(-255.0));
-}
-
-TEST(ProcWireless, ReadsNoiseThatIsGiven) {
-  EXPECT_THAT(parse(" wlan1: 0000 50. -60. -94. 0 0 0 0 0 0\n").noise_dbm, Optional(-94.0));
+TEST(ProcWireless, ReadsEachColumn) {
+  struct {
+    const char* columns;
+    std::optional<double> quality, signal_dbm, noise_dbm;
+  } const rows[] = {{"22. -88. -256", 22, -88, {}},  // -256: invalid
+                    {"22. -88. -255.", 22, -88, -255},
+                    {"22 -88 -256", 22, -88, {}},     // not renewed since the last look
+                    {"0. -110. -256", 0, -110, {}}};  // very poor, but associated
+  for (const auto& [columns, quality, signal_dbm, noise_dbm] : rows) {
+    const WirelessReading sut = parse(" wlan1: 0000 " + std::string(columns) + " 1 2 3 44 5 6\n");
+    EXPECT_TRUE(sut.associated) << columns;
+    EXPECT_EQ(sut.quality, quality) << columns;
+    EXPECT_EQ(sut.signal_dbm, signal_dbm) << columns;
+    EXPECT_EQ(sut.noise_dbm, noise_dbm) << columns;
+    EXPECT_THAT(sut.tx_failed, Optional(44U));
+    EXPECT_THAT(sut.beacon_loss, Optional(6U));
+    EXPECT_EQ(sut.tx_retries, std::nullopt);
+  }
 }
 
 TEST(ProcWireless, TakesZerosWithoutDotsAsUnassociated) {
@@ -62,31 +74,11 @@ TEST(ProcWireless, TakesZerosWithoutDotsAsUnassociated) {
   EXPECT_EQ(sut.note, "not associated");
 }
 
-TEST(ProcWireless, KeepsAVeryPoorLinkApartFromAnUnassociatedOne) {
-  const WirelessReading sut = parse(" wlan1: 0000 0. -110. -256 0 0 0 0 0 0\n");
-  EXPECT_TRUE(sut.associated);
-  EXPECT_THAT(sut.quality, Optional(0.0));
-  EXPECT_THAT(sut.signal_dbm, Optional(-110.0));
-}
-
-TEST(ProcWireless, AcceptsValuesNotRenewedSinceTheLastLook) {
-  const WirelessReading sut = parse(" wlan1: 0000 22 -88 -256 0 0 0 0 1 0\n");
-  EXPECT_TRUE(sut.associated);
-  EXPECT_THAT(sut.signal_dbm, Optional(-88.0));
-}
-
 TEST(ProcWireless, DoesNotTakeAnUnscaledLevelForDbm) {
   const WirelessReading sut = parse(" wlan1: 0000 40. 168. 0 0 0 0 0 0 0\n");
   EXPECT_EQ(sut.signal_dbm, std::nullopt);
   EXPECT_EQ(sut.quality, std::nullopt);
   EXPECT_THAT(sut.note, HasSubstr("no signal in dBm"));
-}
-
-TEST(ProcWireless, ReadsTheCounters) {
-  const WirelessReading sut = parse(" wlan1: 0000 22. -88. -256 1 2 3 44 5 6\n");
-  EXPECT_THAT(sut.tx_failed, Optional(44U));
-  EXPECT_THAT(sut.beacon_loss, Optional(6U));
-  EXPECT_EQ(sut.tx_retries, std::nullopt);
 }
 
 TEST(ProcWireless, SaysThatAWiredInterfaceIsNotWireless) {
@@ -105,10 +97,10 @@ TEST(ProcWireless, TellsInterfacesWithACommonPrefixApart) {
 }
 
 TEST(ProcWireless, RejectsALineThatIsCutOrDamaged) {
-  EXPECT_THAT(parse(" wlan1: 0000 22. -88. -256 0 0 0 0 0\n").note, HasSubstr("cannot be read"));
-  EXPECT_THAT(parse(" wlan1: 0000 22. x -256 0 0 0 0 0 0\n").note, HasSubstr("cannot be read"));
-  EXPECT_THAT(parse(" wlan1: 0000 22. nan -256 0 0 0 0 0 0\n").note, HasSubstr("cannot be read"));
-  EXPECT_THAT(parse(" wlan1:\n").note, HasSubstr("cannot be read"));
+  for (const char* columns : {" 0000 22. -88. -256 0 0 0 0 0", " 0000 22. x -256 0 0 0 0 0 0",
+                              " 0000 22. nan -256 0 0 0 0 0 0", ""}) {
+    EXPECT_THAT(parse(" wlan1:" + std::string(columns) + "\n").note, HasSubstr("cannot be read"));
+  }
 }
 
 TEST(ProcWireless, SurvivesAnyText) {
@@ -123,19 +115,15 @@ TEST(ProcWireless, SurvivesAnyText) {
 
 TEST(LinkQuality, IsSignalPlus110WithinItsEnds) {
   // Pairs seen on a booted kernel with mac80211_hwsim.
-  EXPECT_EQ(link_quality(-35), 70);
-  EXPECT_EQ(link_quality(-45), 65);
-  EXPECT_EQ(link_quality(-60), 50);
-  EXPECT_EQ(link_quality(-100), 10);
-  EXPECT_EQ(link_quality(-110), 0);
-  EXPECT_EQ(link_quality(-111), 0);
-  EXPECT_EQ(link_quality(std::nan("")), 0);
-}
-
-TEST(WirelessSource, HasAWord) {
-  EXPECT_STREQ(name(WirelessSource::absent), "absent");
-  EXPECT_STREQ(name(WirelessSource::proc), "proc");
-  EXPECT_STREQ(name(WirelessSource::nl80211), "nl80211");
+  for (const auto& [signal_dbm, quality] : {std::pair(-35.0, 70),
+                                            {-45, 65},
+                                            {-60, 50},
+                                            {-100, 10},
+                                            {-110, 0},
+                                            {-111, 0},
+                                            {std::nan(""), 0}}) {
+    EXPECT_EQ(link_quality(signal_dbm), quality) << signal_dbm;
+  }
 }
 
 /// A file in the format of /proc/net/wireless, removed at the end.
@@ -148,23 +136,13 @@ class WirelessReaderTest : public ::testing::Test {
 };
 
 TEST_F(WirelessReaderTest, ReadsTheFileForAnInterfaceThatNl80211DoesNotKnow) {
-  write(head + "    lo: 0000 30. -80. -94. 0 0 0 0 0 0\n");
   WirelessReader sut("lo", path_);
+  EXPECT_THAT(sut.read().note, HasSubstr(path_ + " cannot be read"));
+  write(head);
+  EXPECT_THAT(sut.read().note, HasSubstr("lo is not a wireless interface"));
+  write(head + "    lo: 0000 30. -80. -94. 0 0 0 0 0 0\n");
   EXPECT_THAT(sut.read().signal_dbm, Optional(-80.0));
   EXPECT_EQ(sut.read().source, WirelessSource::proc);
-}
-
-TEST_F(WirelessReaderTest, SaysThatALoopbackIsNotWireless) {
-  write(head);
-  const WirelessReading sut = WirelessReader("lo", path_).read();
-  EXPECT_EQ(sut.source, WirelessSource::absent);
-  EXPECT_THAT(sut.note, HasSubstr("lo is not a wireless interface"));
-}
-
-TEST_F(WirelessReaderTest, SaysThatTheFileIsMissing) {
-  const WirelessReading sut = WirelessReader("lo", path_).read();
-  EXPECT_EQ(sut.source, WirelessSource::absent);
-  EXPECT_THAT(sut.note, HasSubstr(path_ + " cannot be read"));
 }
 
 TEST_F(WirelessReaderTest, DoesNotBelieveAFileThatNobodyUpdates) {

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
+#include <array>
+
 #include "foundation/error.hpp"
 #include "foundation/temporary_folder.hpp"
 
@@ -63,37 +65,23 @@ TEST_F(YamlExtendsTest, AFileThatExtendsNothingIsAsItIs) {
   EXPECT_EQ(merged("[1, 2]"), "[1, 2]");
 }
 
-TEST_F(YamlExtendsTest, MapsAreMergedKeyByKeyInTheOrderOfTheBase) {
-  write("base.yaml", "a: 1\nb: {c: 2, d: 3}\ne: 4\n");
-  EXPECT_EQ(merged("extends: base.yaml\nf: 5\nb: {d: 6, g: 7}\n"),
-            "{a: 1, b: {c: 2, d: 6, g: 7}, e: 4, f: 5}");
-}
-
-TEST_F(YamlExtendsTest, AListTakesThePlaceOfTheBases) {
-  write("base.yaml", "a: [1, 2]");
-  EXPECT_EQ(merged("extends: base.yaml\na: [3]"), "{a: [3]}");
-}
-
-TEST_F(YamlExtendsTest, AListMayBeAppended) {
-  write("base.yaml", "files: [1, 2]");
-  EXPECT_EQ(merged("extends: base.yaml\nfiles: [2, 3]"), "{files: [1, 2, 2, 3]}");
-}
-
-TEST_F(YamlExtendsTest, EntriesOfANameAreMergedAndOthersAdded) {
-  write("base.yaml", "parts: [a, {name: b, x: 1, y: 2}, {component: c, x: 3}]");
-  EXPECT_EQ(merged("extends: base.yaml\nparts: [{name: b, y: 4}, d, {component: a, z: 5}, c]"),
-            "{parts: [{component: a, z: 5}, {name: b, x: 1, y: 4}, {component: c, x: 3}, d]}");
-}
-
-TEST_F(YamlExtendsTest, AnotherKindOfValueTakesThePlace) {
-  write("base.yaml", "a: {b: 1}\nc: [1]\nd: 2");
-  EXPECT_EQ(merged("extends: base.yaml\na: 3\nc: {e: 4}\nd: [5]"), "{a: 3, c: {e: 4}, d: [5]}");
-}
-
-TEST_F(YamlExtendsTest, NullTakesAKeyAndANameAway) {
-  write("base.yaml", "a: 1\nb: {c: 2, d: 3}\nparts: [e, {name: f, x: 1}]");
-  EXPECT_EQ(merged("extends: base.yaml\na: ~\nb: {c: null}\nparts:\n  - f: ~\n"),
-            "{b: {d: 3}, parts: [e]}");
+TEST_F(YamlExtendsTest, IsMergedIntoItsBaseKeyByKeyAndNameByName) {
+  for (const auto& [base, own, result] : std::vector<std::array<const char*, 3>>{
+           {"a: 1\nb: {c: 2, d: 3}\ne: 4", "f: 5\nb: {d: 6, g: 7}",
+            "{a: 1, b: {c: 2, d: 6, g: 7}, e: 4, f: 5}"},
+           {"a: [1, 2]", "a: [3]", "{a: [3]}"},
+           {"files: [1, 2]", "files: [2, 3]", "{files: [1, 2, 2, 3]}"},
+           {"parts: [a, {name: b, x: 1, y: 2}, {component: c, x: 3}]",
+            "parts: [{name: b, y: 4}, d, {component: a, z: 5}, c]",
+            "{parts: [{component: a, z: 5}, {name: b, x: 1, y: 4}, {component: c, x: 3}, d]}"},
+           {"a: {b: 1}\nc: [1]\nd: 2", "a: 3\nc: {e: 4}\nd: [5]", "{a: 3, c: {e: 4}, d: [5]}"},
+           {"a: 1\nb: {c: 2, d: 3}\nparts: [e, {name: f, x: 1}]",
+            "a: ~\nb: {c: null}\nparts:\n  - f: ~", "{b: {d: 3}, parts: [e]}"},
+           {"a: &x {c: 1}\nb: *x", "a: {c: 2}", "{a: {c: 2}, b: {c: 1}}"},
+           {"a: {c: 1}\nb: {d: 2}", "a: &x {e: 3}\nb: *x", "{a: {c: 1, e: 3}, b: {d: 2, e: 3}}"}}) {
+    write("base.yaml", base);
+    EXPECT_EQ(merged(std::string("extends: base.yaml\n") + own), result);
+  }
 }
 
 TEST_F(YamlExtendsTest, TellsWhatWasTakenAway) {
@@ -152,17 +140,6 @@ TEST_F(YamlExtendsTest, EachNodeKnowsItsFile) {
     EXPECT_THAT(sources_.place(entry.first),
                 entry.first.Scalar() == "b" ? EndsWith("base.yaml:3") : EndsWith("own.yaml:3"));
   }
-}
-
-TEST_F(YamlExtendsTest, WhatTheBaseSharesByAnAliasIsChangedInOnePlaceOnly) {
-  write("base.yaml", "a: &x {c: 1}\nb: *x\n");
-  EXPECT_EQ(merged("extends: base.yaml\na: {c: 2}"), "{a: {c: 2}, b: {c: 1}}");
-}
-
-TEST_F(YamlExtendsTest, WhatIsSharedByAnAliasIsMergedIntoEachPlace) {
-  write("base.yaml", "a: {c: 1}\nb: {d: 2}\n");
-  EXPECT_EQ(merged("extends: base.yaml\na: &x {e: 3}\nb: *x\n"),
-            "{a: {c: 1, e: 3}, b: {d: 2, e: 3}}");
 }
 
 TEST_F(YamlExtendsTest, ABareNameThatIsNotThereIsAShippedOne) {

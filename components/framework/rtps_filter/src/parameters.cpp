@@ -29,7 +29,7 @@ template <class IsElement>
 bool is_sequence(Cursor& at, std::size_t smallest, IsElement is_element) {
   at.align();
   const std::uint32_t count = at.u32();
-  if (!at.ok() || count > at.left() / smallest + 1) return false;
+  if (!at.ok() || count > at.left() / smallest) return false;
   for (std::uint32_t i = 0; i < count; ++i) {
     if (!is_element(at)) return false;
   }

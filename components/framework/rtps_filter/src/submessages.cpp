@@ -68,10 +68,8 @@ Wrong check_fragments(const Data::Fragments& fragments, std::size_t payload_byte
   const std::uint64_t sample = fragments.sample;
   if (first == 0 || count == 0 || size == 0 || sample == 0) return DropReason::fragment;
   if (sample > sample_bytes) return DropReason::sample_size;
+  if (first - 1 + count > (sample + size - 1) / size) return DropReason::fragment;
   const std::uint64_t before = (first - 1) * size;
-  if (before >= sample || first - 1 + count > (sample + size - 1) / size) {
-    return DropReason::fragment;
-  }
   if (payload_bytes < std::min(count * size, sample - before)) return DropReason::fragment;
   return std::nullopt;
 }

@@ -52,8 +52,7 @@ TEST(Fragments, OfAnAnnouncementAreHiddenUntilItIsWhole) {
   EXPECT_TRUE(first.before.empty());
   EXPECT_EQ(sut.participants(), 0U);
   const Inspection last = last_of(sut, messages);
-  Bytes expected =
-      Message('a').add(0x15, with_data, data_head(spdp_writer).raw(payload).bytes()).bytes();
+  Bytes expected = data_of(data_head(spdp_writer).raw(payload));
   expected[22] = expected[23] = 0;  // its length: until the end
   EXPECT_EQ(last.before, std::vector<Bytes>{expected});
   EXPECT_EQ(last.hide.size(), 1U);
@@ -84,6 +83,25 @@ TEST(Fragments, HideNothingFromTheFilter) {
             DropReason::security_content);
   EXPECT_EQ(last_of(sut, fragments_of(participant({}, 'b'), spdp_writer)).drop,
             DropReason::foreign_identity);
+}
+
+TEST(Fragments, OfAKeyAreAKey) {
+  constexpr std::uint32_t key_of_fragment = 4;
+  const Wire qos = Wire().parameter(0x71, {0, 0, 0, 1}).sentinel();
+  const Wire content = data_head(spdp_writer, 2, 28)
+                           .u32(1)
+                           .u16(1)
+                           .u16(16)
+                           .u32(16)
+                           .raw(qos.bytes())
+                           .raw(guid_of('a'));
+  RtpsFilter sut{Limits{}};
+  (void)inspect(sut, announcement('a'));
+  const auto disposed_by = [&](char name) {
+    return drop_of(sut,
+                   Message(name).add(0x16, with_qos | key_of_fragment, content.bytes()).bytes());
+  };
+  EXPECT_EQ(disposed_by('m'), DropReason::foreign_identity);
 }
 
 TEST(Fragments, OfAuthenticationAreLookedAtToo) {

@@ -21,13 +21,6 @@ Limits on_link() {
   return limits;
 }
 
-/// The announcement of a participant that announces itself; `more` comes last.
-Bytes announced(char name, std::uint32_t lease_s = 20, const Wire& more = {}) {
-  return announcement(name, Wire()
-                                .parameter(0x58, Wire().u32(0xc3f).bytes())
-                                .parameter(0x02, Wire().u32(lease_s).u32(0).bytes())
-                                .raw(more.bytes()));
-}
 constexpr std::size_t number_at = 20 + 4 + 12;
 constexpr std::size_t lease_at = 20 + 4 + 20 + 4 + 20 + 8 + 4;
 

@@ -16,10 +16,7 @@ constexpr std::uint32_t fragment_bytes = 60'000;
 void meet(RtpsFilter& sut) {
   const Wire list = Wire().parameter(0x5a, guid_of('a', user_writer)).sentinel();
   (void)inspect(sut, announcement('a'));
-  (void)inspect(
-      sut, Message('a')
-               .add(0x15, with_data, data_head(sedp_writer).raw(parameters_payload(list)).bytes())
-               .bytes());
+  (void)inspect(sut, data_of(data_head(sedp_writer).raw(parameters_payload(list))));
 }
 
 Bytes fragment(std::int64_t sample, std::uint32_t number, std::uint32_t sample_bytes,
@@ -86,9 +83,7 @@ TEST(Gaps, BeyondAHoleAreFewWhoeverSendsThem) {
 std::optional<DropReason> drop_of_liveliness(std::uint32_t kind, std::uint32_t bytes) {
   const Wire payload =
       Wire().raw({0, 1, 0, 0}).raw(prefix_of('a')).entity(kind).u32(bytes).zeros(bytes);
-  return drop_of(Message('a')
-                     .add(0x15, with_data, data_head(0x000200c2).raw(payload.bytes()).bytes())
-                     .bytes());
+  return drop_of(data_of(data_head(0x000200c2).raw(payload.bytes())));
 }
 
 TEST(Liveliness, IsOfAKnownKindAndSmall) {
@@ -98,10 +93,8 @@ TEST(Liveliness, IsOfAKnownKindAndSmall) {
   EXPECT_EQ(drop_of_liveliness(3, 0), DropReason::discovery_payload);
   EXPECT_EQ(drop_of_liveliness(0x01000001, 0), DropReason::discovery_payload);
   const Wire qos = Wire().parameter(0x70, guid_of('a', 0x80000001)).sentinel();
-  EXPECT_EQ(
-      drop_of(
-          Message('a').add(0x15, with_qos, data_head(0x000200c2).raw(qos.bytes()).bytes()).bytes()),
-      DropReason::discovery_payload);
+  EXPECT_EQ(drop_of(data_of(data_head(0x000200c2).raw(qos.bytes()), with_qos)),
+            DropReason::discovery_payload);
 }
 
 }  // namespace

@@ -94,6 +94,10 @@ inline Wire data_head(std::uint32_t writer, std::int64_t number = 1, std::uint32
                       std::uint32_t reader = 0) {
   return Wire().u16(0).u16(octets).entity(reader).entity(writer).number(number);
 }
+/// A message of one DATA.
+inline Bytes data_of(const Wire& content, std::uint32_t flags = with_data, char name = 'a') {
+  return Message(name).add(0x15, flags, content.bytes()).bytes();
+}
 inline const Bytes& small_payload() {
   static const Bytes bytes = Wire().raw({0, 1, 0, 0}).u32(42).bytes();
   return bytes;
@@ -113,6 +117,13 @@ inline Bytes announcement(char name, const Wire& list = {}, std::uint32_t writer
   return Message(name, vendor)
       .add(0x15, with_data, data_head(writer).raw(parameters_payload(all)).bytes())
       .bytes();
+}
+/// The same of a participant that announces itself; `more` comes last.
+inline Bytes announced(char name, std::uint32_t lease_s = 20, const Wire& more = {}) {
+  return announcement(name, Wire()
+                                .parameter(0x58, Wire().u32(0xc3f).bytes())
+                                .parameter(0x02, Wire().u32(lease_s).u32(0).bytes())
+                                .raw(more.bytes()));
 }
 /// DATA(p[UD]) that `speaker` sends about `leaver`.
 inline Bytes departure(char speaker, char leaver) {

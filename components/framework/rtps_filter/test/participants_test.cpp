@@ -38,9 +38,8 @@ TEST(Participant, IsNotDisposedByASerializedKeyThatFastDdsTakesForAKeyHash) {
   const Wire content = data_head(spdp_writer, 2).raw(qos.bytes()).raw(guid_of('a'));
   RtpsFilter sut{Limits{}};
   EXPECT_EQ(drop_of(sut, announcement('a')), passes);
-  EXPECT_EQ(
-      drop_of(sut, Message('m').add(0x15, with_qos | with_key, content.bytes()).bytes(), mallory),
-      DropReason::foreign_identity);
+  EXPECT_EQ(drop_of(sut, data_of(content, with_qos | with_key, 'm'), mallory),
+            DropReason::foreign_identity);
 }
 
 TEST(Participant, NobodyKnowsMayLeave) { EXPECT_EQ(drop_of(departure('a', 'a')), passes); }
@@ -87,8 +86,9 @@ TEST(Participant, SpeaksFromOneAddressWhereThatIsFixed) {
   EXPECT_EQ(drop_of(sut, announcement('a', lease(10))), passes);
   EXPECT_EQ(drop_of(sut, heartbeat('a', 1, 5), other_port), passes);
   EXPECT_EQ(drop_of(sut, heartbeat('a', 1, 5), other_address), DropReason::forged_source);
+  EXPECT_EQ(drop_of(sut, announcement('a', lease(10)), alice, t0 + seconds(61)), passes);
   // Its lease is over, and Fast DDS has forgotten it.
-  EXPECT_EQ(drop_of(sut, heartbeat('a', 1, 5), other_address, t0 + seconds(11)), passes);
+  EXPECT_EQ(drop_of(sut, heartbeat('a', 1, 5), other_address, t0 + seconds(72)), passes);
 }
 
 TEST(Participant, IsAdmittedWhileThereIsRoom) {
@@ -145,16 +145,12 @@ TEST(Endpoints, AreAdmittedWhileThereIsRoom) {
   RtpsFilter sut(limits);
   const auto endpoint = [](std::uint32_t entity) {
     const Wire list = Wire().parameter(0x5a, guid_of('a', entity)).sentinel();
-    return Message('a')
-        .add(0x15, with_data, data_head(sedp_writer).raw(parameters_payload(list)).bytes())
-        .bytes();
+    return data_of(data_head(sedp_writer).raw(parameters_payload(list)));
   };
   const auto gone = [](std::uint32_t entity) {
     const Wire qos =
         Wire().parameter(0x71, {0, 0, 0, 3}).parameter(0x70, guid_of('a', entity)).sentinel();
-    return Message('a')
-        .add(0x15, with_qos, data_head(sedp_writer).raw(qos.bytes()).bytes())
-        .bytes();
+    return data_of(data_head(sedp_writer).raw(qos.bytes()), with_qos);
   };
   EXPECT_EQ(drop_of(sut, announcement('a')), passes);
   EXPECT_EQ(drop_of(sut, endpoint(1)), passes);

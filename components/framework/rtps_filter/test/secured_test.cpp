@@ -25,12 +25,6 @@ Limits secured_limits() {
   return limits;
 }
 
-Bytes announced(char name, std::uint32_t lease_s = 20) {
-  return announcement(name, Wire()
-                                .parameter(0x58, Wire().u32(0xc3f).bytes())
-                                .parameter(0x02, Wire().u32(lease_s).u32(0).bytes()));
-}
-
 class Secured : public ::testing::Test {
  protected:
   void make_known(char name) {
@@ -131,7 +125,7 @@ TEST_F(Secured, HandshakeNeedsNoSeal) {
   const Bytes message =
       Wire().raw({0, 1, 0, 0}).zeros(24 + 24 + 48).text("dds.sec.auth").u32(0).bytes();
   const Wire content = data_head(stateless_writer, 1, 16, 0x000201c4).raw(message);
-  EXPECT_EQ(drop_of(sut, Message('a').add(0x15, with_data, content.bytes()).bytes()), passes);
+  EXPECT_EQ(drop_of(sut, data_of(content)), passes);
 }
 
 TEST_F(Secured, SealOfAPartEndsWithIt) {

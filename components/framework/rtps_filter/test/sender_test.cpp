@@ -6,11 +6,7 @@
 namespace tocsin::rtps_filter {
 namespace {
 
-Bytes sample() {
-  return Message('a')
-      .add(0x15, with_data, data_head(user_writer).raw(small_payload()).bytes())
-      .bytes();
-}
+Bytes sample() { return data_of(data_head(user_writer).raw(small_payload())); }
 
 /// The departure of `a`, and in the same message something else of it.
 Bytes goodbye_and(const Bytes& other) {
@@ -45,8 +41,7 @@ TEST(Sender, WhoseSocketIsGoneMayOnlyHaveLeft) {
 // An endpoint that leaves is no proof: its participant may be there.
 TEST(Sender, WhoseSocketIsGoneCannotTakeAnEndpointAway) {
   const Wire qos = Wire().parameter(0x71, {0, 0, 0, 3}).parameter(0x70, guid_of('a')).sentinel();
-  const Bytes packet =
-      Message('a').add(0x15, with_qos, data_head(sedp_writer).raw(qos.bytes()).bytes()).bytes();
+  const Bytes packet = data_of(data_head(sedp_writer).raw(qos.bytes()), with_qos);
   EXPECT_EQ(drop_of(packet, Sender::trusted), passes);
   EXPECT_EQ(drop_of(packet, Sender::gone), DropReason::other_user);
 }

@@ -6,10 +6,6 @@
 namespace tocsin::rtps_filter {
 namespace {
 
-Bytes data_of(const Wire& content, std::uint32_t flags = with_data) {
-  return Message().add(0x15, flags, content.bytes()).bytes();
-}
-
 TEST(Header, MustBeRtpsOfVersionTwo) {
   Bytes message = data_of(data_head(user_writer).raw(small_payload()));
   EXPECT_EQ(drop_of(message), passes);
@@ -132,7 +128,9 @@ TEST(Data, PayloadHasAHeaderOfAKnownEncoding) {
   };
   EXPECT_EQ(with({0, 1, 0, 0}), passes);
   EXPECT_EQ(with({0, 0x0b, 0, 0, 1, 2, 3}), passes);
+  EXPECT_EQ(with({0, 0x1f, 0xff, 0}), passes);
   EXPECT_EQ(with({0x80, 1, 0, 0}), passes);  // a vendor's
+  EXPECT_EQ(with({0, 0x20, 0, 0}), DropReason::payload);
   EXPECT_EQ(with({0x12, 1, 0, 0}), DropReason::payload);
   EXPECT_EQ(with({0, 1, 0}), DropReason::payload);
 }

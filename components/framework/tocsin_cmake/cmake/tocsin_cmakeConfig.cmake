@@ -98,10 +98,9 @@ function(tocsin_export)
   endif()
 endfunction()
 
-# A library of this package, exported as <project>::<name>. With one library per package this is the
-# whole of it.
-# tocsin_library(name [SHARED] SOURCES a.cpp ... [LINK pkg::target ...] [PRIVATE_LINK ...])
-function(tocsin_library name)
+# One of several libraries of this package, to be exported by tocsin_export.
+# tocsin_part(name [SHARED] SOURCES a.cpp ... [LINK pkg::target ...] [PRIVATE_LINK ...])
+function(tocsin_part name)
   cmake_parse_arguments(A "SHARED" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
   tocsin_find(${A_LINK} ${A_PRIVATE_LINK})
   set(kind STATIC)
@@ -113,6 +112,12 @@ function(tocsin_library name)
                                             "$<INSTALL_INTERFACE:include>")
   target_link_libraries(${name} PUBLIC ${A_LINK} PRIVATE ${A_PRIVATE_LINK})
   tocsin_target_options(${name})
+endfunction()
+
+# The library of this package, exported as <project>::<name>: arguments as of tocsin_part.
+function(tocsin_library name)
+  cmake_parse_arguments(A "SHARED" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+  tocsin_part(${name} ${ARGN})
   tocsin_export(TARGETS ${name} LINK ${A_LINK} ${A_PRIVATE_LINK})
 endfunction()
 

@@ -1,20 +1,76 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "decision/detectors.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 
+#include "decision/false_alarms.hpp"
+#include "decision/policy_model.hpp"
 #include "foundation/error.hpp"
 
 namespace tocsin::decision {
+namespace {
 
-double ShiryaevRoberts::add(double l) {
-  if (std::isnan(l)) return log_r_;
-  cusum_.add(l);
-  // ln(1 + R) without overflow for large and without loss for small R
-  const double log_1_plus_r =
-      log_r_ > 0 ? log_r_ + std::log1p(std::exp(-log_r_)) : std::log1p(std::exp(log_r_));
-  log_r_ = l + log_1_plus_r;
-  return log_r_;
+constexpr double simulated_samples = 2000;
+constexpr Effort effort{400, 2 * simulated_samples};
+
+std::unique_ptr<Detector> make_cusum(const PolicyParams& p) {
+  return std::make_unique<CusumDetector>(llr_of(p));
+}
+
+Normal normal_good_law(const PolicyParams& p) {
+  const Density good = good_law_of(p);
+  if (good.family() == Family::normal) return {good.parameters()[0], good.parameters()[1]};
+  throw ConfigError(std::string("policy.detector: focus needs a normal good law, not ") +
+                    to_string(good.family()));
+}
+
+std::unique_ptr<Detector> make_focus(const PolicyParams& p) {
+  return std::make_unique<Focus>(normal_good_law(p));
+}
+
+/// The threshold whose run length is `factor` times that of `h`: sqrt(h) exp(h) up to a constant.
+double beyond_simulated(double h, double factor) {
+  const auto log_run_length = [](double x) { return x - std::log(std::max(x, 1.0)) / 2; };
+  const double target = log_run_length(h) + std::log(factor);
+  for (int i = 0; i < 50; ++i) h += target - log_run_length(h);  // its slope is nearly 1
+  return h;
+}
+
+double focus_threshold(const PolicyParams& p) {
+  if (p.detector_threshold > 0) return p.detector_threshold;
+  const double wanted = false_alarm_samples_of(p);
+  const Normal good = normal_good_law(p);
+  const auto source = independent(good, 1);
+  Focus focus(good);
+  const FalseAlarmCurve curve(*source, focus, effort);
+  const double simulated = std::min(wanted, simulated_samples);
+  const auto threshold = curve.threshold_for(simulated);
+  if (threshold) return beyond_simulated(*threshold, wanted / simulated);
+  std::ostringstream text;
+  text << "policy.false_alarm_samples: " << wanted
+       << ": cannot be had with detector focus, must be above " << curve.run_length(1e-6);
+  throw ConfigError(text.str());
+}
+
+/// A detector: how it is made, and at which statistic it alarms. In the order of DetectorKind.
+struct Row {
+  std::unique_ptr<Detector> (*make)(const PolicyParams&);
+  double (*threshold)(const PolicyParams&);
+};
+constexpr Row rows[] = {{make_cusum, alpha_of}, {make_focus, focus_threshold}};
+
+const Row& row_of(const PolicyParams& p) { return rows[static_cast<std::size_t>(p.detector)]; }
+
+}  // namespace
+
+std::unique_ptr<Detector> detector_of(const PolicyParams& params) {
+  return row_of(params).make(params);
+}
+
+double detector_threshold_of(const PolicyParams& params) {
+  return row_of(params).threshold(params);
 }
 
 Focus::Focus(Normal good) : good_(good) {

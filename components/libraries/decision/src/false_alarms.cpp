@@ -10,30 +10,7 @@ namespace {
 
 class IndependentSource final : public QualitySource {
  public:
-  IndependentSource(const Density& law, std::uint64_t seed) : random_(seed) {
-    for (int i = 0; i <= cells; ++i) cdf_.push_back(law.cdf(100.0 * i / cells));
-  }
-  double next() override {
-    const double u = uniform_(random_);
-    const auto above = std::upper_bound(cdf_.begin(), cdf_.end(), u);
-    if (above == cdf_.begin()) return 0;
-    if (above == cdf_.end()) return 100;
-    const double share = (u - *(above - 1)) / (*above - *(above - 1));
-    return (static_cast<double>(above - cdf_.begin()) - 1 + share) * 100 / cells;
-  }
-  void restart() override {}
-
- private:
-  static constexpr int cells = 4000;
-  std::vector<double> cdf_;
-  std::mt19937_64 random_;
-  std::uniform_real_distribution<double> uniform_{0, 1};
-};
-
-class IndependentNormalSource final : public QualitySource {
- public:
-  IndependentNormalSource(double mean, double sd, std::uint64_t seed)
-      : random_(seed), law_(mean, sd) {}
+  IndependentSource(Normal law, std::uint64_t seed) : random_(seed), law_(law.mean, law.sd) {}
   double next() override { return std::clamp(law_(random_), 0.0, 100.0); }
   void restart() override {}
 
@@ -46,21 +23,19 @@ constexpr double least_threshold = 1e-6;
 
 }  // namespace
 
-std::unique_ptr<QualitySource> independent(const Density& law, std::uint64_t seed) {
-  if (law.family() != Family::normal) return std::make_unique<IndependentSource>(law, seed);
-  return std::make_unique<IndependentNormalSource>(law.parameters()[0], law.parameters()[1], seed);
+std::unique_ptr<QualitySource> independent(Normal law, std::uint64_t seed) {
+  return std::make_unique<IndependentSource>(law, seed);
 }
 
-FalseAlarmCurve::FalseAlarmCurve(QualitySource& source, const Detector& detector,
-                                 const Effort& effort)
+FalseAlarmCurve::FalseAlarmCurve(QualitySource& source, Detector& detector, const Effort& effort)
     : horizon_(effort.horizon) {
   for (int i = 0; i < effort.paths; ++i) {
     source.restart();
-    Detector running = detector;
+    detector.reset();
     Path records;
     double highest = 0;
     for (double n = 1; n <= horizon_; ++n) {
-      const double level = running.add(source.next());
+      const double level = detector.add(source.next());
       if (level <= highest) continue;
       highest = level;
       records.push_back({level, n});

@@ -68,11 +68,4 @@ Decision LegacyRule::while_passive(double qni, int) {
   return {active_, active_ ? Reason::legacy_count : Reason::steady, 1.0 * counter_, 30};
 }
 
-Decision ReplayRule::next(State now) {
-  ++at_;
-  const bool send = at_ >= send_.size() || send_[at_];
-  const bool change = send != (now == State::active);
-  return {change, change ? Reason::foreseen : Reason::steady, 0, 0};
-}
-
 }  // namespace tocsin::decision

@@ -52,19 +52,4 @@ class LegacyRule final : public Rule {
   bool before_that_ = true;
 };
 
-/// Plays given decisions back; sample n decides slot n + 1.
-class ReplayRule final : public Rule {
- public:
-  explicit ReplayRule(std::vector<bool> send) : send_(std::move(send)) {}
-  Decision while_active(double) override { return next(State::active); }
-  Decision while_passive(double, int) override { return next(State::passive); }
-  void entered(State) override {}
-  void forget() override {}
-
- private:
-  Decision next(State now);
-  std::vector<bool> send_;
-  std::size_t at_ = 0;
-};
-
 }  // namespace tocsin::decision

@@ -2,7 +2,6 @@
 #include "decision/policy.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -31,34 +30,6 @@ Duration saturating_sum(Duration a, Duration b) {
 Time saturating_sum(Time a, Duration b) { return a > Time::max() - b ? Time::max() : a + b; }
 
 }  // namespace
-
-const char* to_string(State state) { return state == State::active ? "active" : "passive"; }
-
-const char* to_string(Reason reason) {
-  // In the order of the enumerators.
-  static constexpr std::array<const char*, 20> words{"start",
-                                                     "steady",
-                                                     "no_measurement",
-                                                     "stale_sample",
-                                                     "threshold_low",
-                                                     "threshold_high",
-                                                     "mild_alarm",
-                                                     "cusum_alarm",
-                                                     "focus_alarm",
-                                                     "roberts_alarm",
-                                                     "reverse_alarm",
-                                                     "best_so_far",
-                                                     "belief_bad",
-                                                     "belief_good",
-                                                     "legacy_drop",
-                                                     "legacy_count",
-                                                     "foreseen",
-                                                     "fixed_pause_over",
-                                                     "forced_resume_samples",
-                                                     "forced_resume_time"};
-  const auto index = static_cast<std::size_t>(reason);
-  return index < words.size() ? words[index] : "unknown";
-}
 
 Policy::Policy(const char* name, const PolicyLimits& limits, std::unique_ptr<Rule> rule)
     : name_(name),

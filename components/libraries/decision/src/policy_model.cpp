@@ -58,10 +58,6 @@ Density bad_law_of(const PolicyParams& p) {
 
 Llr llr_of(const PolicyParams& p) { return ratio(good_law_of(p), bad_law_of(p), p.llr_clip); }
 
-Llr mild_llr_of(const PolicyParams& p) {
-  return NormalLlr({p.good_mean, p.good_sd}, {p.mild_mean, p.good_sd}, p.llr_clip);
-}
-
 StepLaw step_law_of(const PolicyParams& p, const Density& truth) {
   const Density good = good_law_of(p);
   const Density bad = bad_law_of(p);
@@ -86,19 +82,9 @@ double false_alarm_samples_of(const PolicyParams& p) {
 }
 
 double alpha_of(const PolicyParams& p) {
-  if (!(p.false_alarm_samples > 0) && !(p.mild_share > 0)) return p.alpha;
-  return alpha_for_run_length(step_law_of(p, good_law_of(p)),
-                              false_alarm_samples_of(p) / (1 - p.mild_share), p.llr_clip == 0);
-}
-
-double mild_alpha_of(const PolicyParams& p) {
-  if (!(p.mild_share > 0)) return p.mild_alpha;
-  const Density good = good_law_of(p);
-  const NormalLlr normal({p.good_mean, p.good_sd}, {p.mild_mean, p.good_sd}, p.llr_clip);
-  const StepLaw law = good.family() == Family::normal
-                          ? step_law(normal, p.llr_clip, normal_of(good))
-                          : step_law(Llr(normal), good);
-  return alpha_for_run_length(law, false_alarm_samples_of(p) / p.mild_share, p.llr_clip == 0);
+  if (!(p.false_alarm_samples > 0)) return p.alpha;
+  return alpha_for_run_length(step_law_of(p, good_law_of(p)), p.false_alarm_samples,
+                              p.llr_clip == 0);
 }
 
 double reverse_alpha_of(const PolicyParams& p) {

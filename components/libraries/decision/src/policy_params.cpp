@@ -3,7 +3,6 @@
 
 #include <sstream>
 
-#include "decision/cusum.hpp"
 #include "decision/policy_model.hpp"
 #include "foundation/error.hpp"
 
@@ -23,17 +22,18 @@ void check_threshold(const PolicyParams& p) {
 }
 
 void check_pause(const PolicyParams& p) {
-  if (p.policy == "tocp" && p.fixed_pause_samples > p.th_max_samples) {
+  if (p.policy == PolicyKind::tocp && p.fixed_pause_samples > p.th_max_samples) {
     reject("fixed_pause_samples", p.fixed_pause_samples, "at most th_max_samples,",
            p.th_max_samples);
   }
-  if (p.policy == "tocp_dsp" && p.discount == "geometric" && !(p.discount_value > 0)) {
+  if (p.policy == PolicyKind::tocp_dsp && p.discount == DiscountKind::geometric &&
+      !(p.discount_value > 0)) {
     reject("discount_value", p.discount_value, "with a geometric discount above", 0);
   }
 }
 
 void check_belief(const PolicyParams& p) {
-  if (p.policy != "belief") return;
+  if (p.policy != PolicyKind::belief) return;
   if (!(p.cost_silent_bad < p.cost_send_bad)) {
     reject("cost_silent_bad", p.cost_silent_bad, "below cost_send_bad,", p.cost_send_bad);
   }
@@ -42,34 +42,13 @@ void check_belief(const PolicyParams& p) {
   }
 }
 
-[[noreturn]] void reject(const std::string& name, const std::string& value,
-                         const std::string& rule) {
-  throw ConfigError("policy." + name + ": " + value + ' ' + rule);
-}
-
-void check_learning(const PolicyParams& p) {
-  if (p.laws == "fixed") return;
-  if (good_law_of(p).family() != Family::normal || !p.good_parameters.empty()) {
-    reject("laws", p.laws,
-           "needs the good law as good_mean and good_sd, not as good_family " + p.good_family);
-  }
-  if (p.laws == "apply" && p.policy != "tocp" && p.policy != "tocp_dsp" &&
-      p.policy != "tocp_reverse") {
-    reject(
-        "laws", p.laws,
-        "needs policy tocp, tocp_dsp or tocp_reverse, not " + p.policy + "; propose goes with all");
-  }
-}
-
 }  // namespace
 
 void check(const PolicyParams& params) {
   (void)llr_of(params);
-  if (params.mild_alpha > 0 || params.mild_share > 0) (void)mild_llr_of(params);
   check_threshold(params);
   check_pause(params);
   check_belief(params);
-  check_learning(params);
 }
 
 }  // namespace tocsin::decision

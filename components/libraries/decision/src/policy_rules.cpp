@@ -28,21 +28,12 @@ Decision ThresholdRule::while_passive(double qni, int) {
 }
 
 Decision TocpRule::while_active(double qni) {
-  const double w = forward_.detector.add(qni);
-  if (w >= forward_.threshold) return {true, forward_.alarm, w, forward_.threshold};
-  if (forward_.mild_alpha > 0) {
-    const double mild = mild_cusum_.add(forward_.mild_llr(qni));
-    if (mild_cusum_.alarm(forward_.mild_alpha)) {
-      return {true, Reason::mild_alarm, mild, forward_.mild_alpha};
-    }
-  }
-  return {false, Reason::steady, w, forward_.threshold};
+  const double w = forward_.detector->add(qni);
+  const bool pause = w >= forward_.threshold;
+  return {pause, pause ? forward_.alarm : Reason::steady, w, forward_.threshold};
 }
 
-void TocpRule::forget() {
-  forward_.detector.reset();
-  mild_cusum_.reset();
-}
+void TocpRule::forget() { forward_.detector->reset(); }
 
 void TocpRule::entered(State) { TocpRule::forget(); }
 

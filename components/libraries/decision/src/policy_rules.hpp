@@ -2,9 +2,10 @@
 #pragma once
 
 #include <limits>
+#include <memory>
+#include <utility>
 
-#include "decision/cusum.hpp"
-#include "decision/detector.hpp"
+#include "decision/detectors.hpp"
 #include "decision/llr.hpp"
 #include "decision/policy.hpp"
 
@@ -41,19 +42,17 @@ class ThresholdRule final : public Rule {
 
 /// What the detector of a turn to bad needs.
 struct Forward {
-  Detector detector;
+  std::unique_ptr<Detector> detector;
   double threshold;
   Reason alarm;  ///< what the detector's alarm is called
   Llr llr;
-  Llr mild_llr;
-  double mild_alpha;  ///< 0 is off
 };
 
 /// TOCP: pauses at the alarm of its detector, the log-likelihood CUSUM or another. Derived rules
 /// say when to resume.
 class TocpRule : public Rule {
  public:
-  explicit TocpRule(const Forward& forward) : forward_(forward) {}
+  explicit TocpRule(Forward forward) : forward_(std::move(forward)) {}
   Decision while_active(double qni) final;
   void entered(State state) override;
   void forget() override;
@@ -63,13 +62,12 @@ class TocpRule : public Rule {
 
  private:
   Forward forward_;
-  Cusum mild_cusum_;
 };
 
 /// Resumes after a pause of fixed length.
 class FixedPause final : public TocpRule {
  public:
-  FixedPause(const Forward& forward, int samples) : TocpRule(forward), samples_(samples) {}
+  FixedPause(Forward forward, int samples) : TocpRule(std::move(forward)), samples_(samples) {}
   Decision while_passive(double qni, int age) override;
 
  private:
@@ -79,7 +77,7 @@ class FixedPause final : public TocpRule {
 /// DSP: resumes on the first sample from candidate r* on that is the best of the pause.
 class BestSoFar final : public TocpRule {
  public:
-  BestSoFar(const Forward& forward, int r_star) : TocpRule(forward), r_star_(r_star) {}
+  BestSoFar(Forward forward, int r_star) : TocpRule(std::move(forward)), r_star_(r_star) {}
   Decision while_passive(double qni, int age) override;
   void entered(State state) override;
 
@@ -91,8 +89,8 @@ class BestSoFar final : public TocpRule {
 /// Resumes when a CUSUM on -l says that the network has turned good.
 class ReverseCusum final : public TocpRule {
  public:
-  ReverseCusum(const Forward& forward, double reverse_alpha)
-      : TocpRule(forward), reverse_alpha_(reverse_alpha) {}
+  ReverseCusum(Forward forward, double reverse_alpha)
+      : TocpRule(std::move(forward)), reverse_alpha_(reverse_alpha) {}
   Decision while_passive(double qni, int age) override;
   void entered(State state) override;
 

@@ -57,21 +57,8 @@ class Chain {
 };
 
 /// How many states a run length is computed with.
-struct Lattice {
-  int coarse;
-  int fine;
-};
-constexpr Lattice exact{200, 400};
-constexpr Lattice rough{40, 80};
-
-double run_length_on(const Lattice& lattice, const StepLaw& law, double alpha, bool smooth) {
-  assert(alpha > 0);
-  const double b = Chain(law, alpha, lattice.fine).mean_time();
-  if (!smooth) return b;
-  const double a = Chain(law, alpha, lattice.coarse).mean_time();
-  const double ratio = (2.0 * lattice.fine - 1) / (2.0 * lattice.coarse - 1);
-  return b + (b - a) / (ratio * ratio - 1);  // the error falls with the square of the width
-}
+constexpr int coarse = 200;
+constexpr int fine = 400;
 
 [[noreturn]] void reject(double samples, const char* relation, double limit) {
   std::ostringstream text;
@@ -108,17 +95,28 @@ struct Bracket {
   int same_side = 0;
 };
 
-double alpha_on(const Lattice& lattice, const StepLaw& law, double samples, bool smooth) {
+}  // namespace
+
+double mean_run_length(const StepLaw& law, double alpha, bool smooth) {
+  assert(alpha > 0);
+  const double b = Chain(law, alpha, fine).mean_time();
+  if (!smooth) return b;
+  const double a = Chain(law, alpha, coarse).mean_time();
+  constexpr double ratio = (2.0 * fine - 1) / (2.0 * coarse - 1);
+  return b + (b - a) / (ratio * ratio - 1);  // the error falls with the square of the width
+}
+
+double alpha_for_run_length(const StepLaw& law, double samples, bool smooth) {
   const double least = 1 / law.above(0);
   if (!(samples > least)) reject(samples, "above", least);
   const auto excess = [&](double alpha) {
-    return std::log(run_length_on(lattice, law, alpha, smooth) / samples);
+    return std::log(mean_run_length(law, alpha, smooth) / samples);
   };
   Bracket bracket{0, std::log(least / samples), 1, excess(1), 0};
   while (bracket.at_high < 0) {
     bracket = {bracket.high, bracket.at_high, 2 * bracket.high, 0, 0};
     if (bracket.high > 1000) {
-      reject(samples, "at most", run_length_on(lattice, law, bracket.low, smooth));
+      reject(samples, "at most", mean_run_length(law, bracket.low, smooth));
     }
     bracket.at_high = excess(bracket.high);
   }
@@ -129,24 +127,6 @@ double alpha_on(const Lattice& lattice, const StepLaw& law, double samples, bool
     bracket.narrow(middle, at_middle);
   }
   return smooth ? bracket.guess() : bracket.high;  // with atoms the run length jumps
-}
-
-}  // namespace
-
-double mean_run_length(const StepLaw& law, double alpha, bool smooth) {
-  return run_length_on(exact, law, alpha, smooth);
-}
-
-double alpha_for_run_length(const StepLaw& law, double samples, bool smooth) {
-  return alpha_on(exact, law, samples, smooth);
-}
-
-std::optional<double> rough_alpha_for_run_length(const StepLaw& law, double samples, bool smooth) {
-  try {
-    return alpha_on(rough, law, samples, smooth);
-  } catch (const ConfigError&) {
-    return std::nullopt;
-  }
 }
 
 }  // namespace tocsin::decision

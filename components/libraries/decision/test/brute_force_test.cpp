@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "decision/belief.hpp"
-#include "decision/detectors.hpp"
+#include "decision/cusum.hpp"
 #include "decision/stopping.hpp"
 #include "foundation/numbers.hpp"
 
@@ -53,19 +53,6 @@ TEST(CusumBySums, IsTheLargestSumOverAllChangeTimesAndItsLength) {
       ASSERT_NEAR(sut.statistic(), largest, 1e-9);
       ASSERT_EQ(sut.run(), length);
     }
-  }
-}
-
-TEST(ShiryaevRobertsBySums, IsTheSumOfTheRatiosOverAllChangeTimes) {
-  for (unsigned seed = 1; seed <= 20; ++seed) {
-    const std::vector<double> ratios = random_ratios(seed, 40);
-    ShiryaevRoberts sut;
-    for (const double l : ratios) sut.add(l);
-    double all = 0;
-    double log_ratio = 0;
-    const auto known = measured(ratios);
-    for (auto l = known.rbegin(); l != known.rend(); ++l) all += std::exp(log_ratio += *l);
-    EXPECT_NEAR(sut.statistic(), std::log(all), 1e-9) << "seed " << seed;
   }
 }
 

@@ -22,60 +22,6 @@ namespace {
 
 namespace bm = boost::math;
 
-/// One plausible law of each family.
-std::vector<Density> samples() {
-  return {{Family::normal, {80, 10, 0}},
-          {Family::logistic, {80, 6, 0}},
-          {Family::t_location_scale, {80, 9, 4}},
-          {Family::laplace, {80, 8, 0}},
-          {Family::gumbel_max, {75, 10, 0}},
-          {Family::gumbel_min, {85, 9, 0}},
-          {Family::gev, {-0.4, 10, 77}},
-          {Family::weibull, {84, 9, 0}},
-          {Family::gamma, {60, 1.3, 0}},
-          {Family::lognormal, {4.3, 0.2, 0}},
-          {Family::loglogistic, {4.3, 0.1, 0}},
-          {Family::inverse_gaussian, {80, 3000, 0}},
-          {Family::rayleigh, {50, 0, 0}},
-          {Family::rician, {70, 12, 0}},
-          {Family::nakagami, {9, 6500, 0}},
-          {Family::exponential, {30, 0, 0}},
-          {Family::birnbaum_saunders, {79, 0.2, 0}},
-          {Family::beta, {6, 1.6, 0}},
-          {Family::truncated_normal, {81, 10, 0}}};
-}
-
-class EachDensity : public ::testing::TestWithParam<int> {
- protected:
-  const Density sut = samples()[static_cast<std::size_t>(GetParam())];
-};
-
-TEST_P(EachDensity, IsTheDerivativeOfItsDistribution) {
-  for (const double x : {25.3, 60.1, 72.7, 88.3, 95.1}) {
-    const double h = 1e-4;
-    const double slope = (sut.cdf(x + h) - sut.cdf(x - h)) / (2 * h);
-    EXPECT_NEAR(std::exp(sut.log_density(x)), slope, 1e-8) << to_string(sut.family()) << ' ' << x;
-  }
-}
-
-TEST_P(EachDensity, HasADistributionThatRisesFromZeroToOne) {
-  double last = 0;
-  for (int x = -1000; x <= 1000; x += 5) {
-    const double f = sut.cdf(x);
-    EXPECT_GE(f, last - 1e-12) << to_string(sut.family()) << ' ' << x;
-    last = f;
-  }
-  EXPECT_NEAR(sut.cdf(-1e6), 0, 1e-6);
-  EXPECT_NEAR(sut.cdf(1e6), 1, 1e-6);
-}
-
-TEST_P(EachDensity, HasANameThatIsFoundAgain) {
-  EXPECT_EQ(family_from(to_string(sut.family())), sut.family());
-  EXPECT_GE(parameter_names(sut.family()).size(), 1U);
-}
-
-INSTANTIATE_TEST_SUITE_P(Families, EachDensity, ::testing::Range(0, family_count));
-
 template <class Law>
 void expect_same(const Density& sut, const Law& law) {
   for (const double x : {10.0, 36.5, 70.0, 81.0, 99.0}) {

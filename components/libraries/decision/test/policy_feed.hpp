@@ -9,12 +9,10 @@
 namespace tocsin::decision {
 
 inline const Time t0{std::chrono::seconds(1000)};
-inline constexpr const char* all_policies[] = {"none",         "threshold", "tocp",  "tocp_dsp",
-                                               "tocp_reverse", "belief",    "legacy"};
 
 inline PolicyParams params_for(const std::string& policy) {
   PolicyParams params;
-  params.policy = policy;
+  params.policy = value_of<PolicyKind>(policy).value();
   return params;
 }
 

@@ -21,7 +21,7 @@ void follow(const char* file, const Column& column) {
   if (path.empty()) GTEST_SKIP() << "no golden numbers on this machine";
   Table table = read_table(path);
   PolicyParams params;
-  params.policy = column.policy;
+  params.policy = value_of<PolicyKind>(column.policy).value();
   params.belief_myopic = column.myopic;
   params.th_max_s = 86400;  // the traces know samples only
   const auto sut = make_policy(params);

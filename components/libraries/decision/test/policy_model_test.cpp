@@ -24,10 +24,8 @@ TEST(PolicyThresholds, AreThoseThatWereGivenWhenNothingReplacesThem) {
   PolicyParams p;
   p.alpha = 4.5;
   p.reverse_alpha = 2.5;
-  p.mild_alpha = 7;
   EXPECT_EQ(alpha_of(p), 4.5);
   EXPECT_EQ(reverse_alpha_of(p), 2.5);
-  EXPECT_EQ(mild_alpha_of(p), 7);
   EXPECT_NEAR(false_alarm_samples_of(p), run_length_of(p, step_law_of(p, good_law_of(p)), 4.5), 1);
 }
 

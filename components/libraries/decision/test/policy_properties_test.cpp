@@ -110,7 +110,6 @@ TEST_P(EveryPolicy, TellsChangesStateAndDeadlineThatFitTogether) {
       ASSERT_LE(*evidence.deadline, sut.now + seconds(40));
     }
     ASSERT_FALSE(std::isinf(evidence.sample)) << "what is no quality is used as none";
-    ASSERT_STRNE(to_string(evidence.reason), "unknown");
     before = evidence.state;
   }
 }
@@ -198,7 +197,8 @@ TEST_P(EveryPolicy, FallsSilentNoLaterWhenTheNetworkIsWorse) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Policies, EveryPolicy, ::testing::ValuesIn(all_policies),
+INSTANTIATE_TEST_SUITE_P(Policies, EveryPolicy,
+                         ::testing::ValuesIn(policy_names.begin(), policy_names.end()),
                          [](const auto& one) { return std::string(one.param); });
 
 }  // namespace

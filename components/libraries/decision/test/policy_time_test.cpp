@@ -108,7 +108,7 @@ TEST(Policy, BeliefFallsBackToTheLongRunAfterAGap) {
 /// Longest run of silence, in samples and in clock steps forward, on hostile input.
 TEST(Policy, IsNeverSilentBeyondItsLimits) {
   std::mt19937 random(20190621);  // NOLINT: a fixed seed is the point
-  for (const char* name : all_policies) {
+  for (const char* name : policy_names) {
     PolicyParams params = params_for(name);
     params.th_max_samples = params.fixed_pause_samples = 12;
     params.th_max_s = 20;

@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "decision/channel_qni.hpp"
 #include "foundation/error.hpp"
 
 namespace tocsin::decision {
@@ -74,38 +73,10 @@ TEST(Qni, RejectsAnEmptySignalRange) {
   EXPECT_THROW(QniModel({0.4, 0.3, 0.3, -45, -45, 70}), ConfigError);
 }
 
-double channel(const ChannelQniInput& input) {
-  return ChannelQniModel(ChannelQniParams{}).evaluate(input).value;
-}
-
-TEST(ChannelQni, IsHundredOnAPerfectNetworkAndZeroOnADeadOne) {
-  EXPECT_DOUBLE_EQ(channel({0, -45, 0, 0}), 100);
-  EXPECT_DOUBLE_EQ(channel({100, -99, 1, 3}), 0);
-}
-
-TEST(ChannelQni, SeesCongestionThatTheSignalDoesNotShow) {
-  EXPECT_NEAR(channel({0, -45, 0.8, 0.1}), 76, 1e-9);
-  EXPECT_NEAR(channel({0, -45, 0, 1.5}), 85, 1e-9);
-}
-
-TEST(ChannelQni, TakesTheWorseOfAirTimeAndRetries) {
-  EXPECT_NEAR(channel({0, -45, 0.2, 3}), 70, 1e-9);
-  EXPECT_NEAR(channel({0, -45, 1, 0}), 70, 1e-9);
-}
-
-TEST(ChannelQni, IsContentWithEitherOfThem) {
-  const ChannelQniModel sut{ChannelQniParams{}};
-  EXPECT_NEAR(sut.evaluate({0, -45, 0.5, {}}).value, 85, 1e-9);
-  EXPECT_FALSE(sut.evaluate({0, -45, {}, 1.5}).rescaled());
-  EXPECT_NEAR(sut.evaluate({0, -45, NAN, 1.5}).value, 85, 1e-9);
-  EXPECT_TRUE(sut.evaluate({0, -45, {}, {}}).rescaled());
-  EXPECT_DOUBLE_EQ(sut.evaluate({50, {}, {}, {}}).value, 50);
-}
-
-TEST(ChannelQni, RejectsWeightsThatDoNotSumToOne) {
-  ChannelQniParams params;
-  params.weight_channel = 0.31;
-  EXPECT_THROW(ChannelQniModel{params}, ConfigError);
+TEST(Qni, ReadsAMessageWhoseLinkQualityIsInPercentOfSeventy) {
+  EXPECT_DOUBLE_EQ(value(qni_input(10, -72, 50)), 0.4 * 90 + 0.3 * 50 + 0.3 * 50);
+  EXPECT_DOUBLE_EQ(value(qni_input(10, -72, NAN)), (0.4 * 90 + 0.3 * 50) / 0.7);
+  EXPECT_TRUE(std::isnan(value(qni_input(NAN, NAN, NAN))));
 }
 
 }  // namespace

@@ -20,17 +20,8 @@ const NormalLlr thesis;
 double arl0(double alpha) { return mean_run_length(step_law(thesis, 0, thesis_good), alpha); }
 double arl1(double alpha) { return mean_run_length(step_law(thesis, 0, thesis_bad), alpha); }
 
-// The classical table: k = 1/2, h = 4 and 5 (Montgomery; R package spc agrees).
-TEST(GaussianRunLength, HasTheClassicalValues) {
-  EXPECT_NEAR(gaussian_run_length(0.5, 4, 0), 335.36758, 5e-5);
-  EXPECT_NEAR(gaussian_run_length(0.5, 4, 1), 8.38320, 5e-5);
-  EXPECT_NEAR(gaussian_run_length(0.5, 5, 0), 930.88701, 5e-5);
-  EXPECT_NEAR(gaussian_run_length_two_sided(0.5, 4, 0), 167.68379, 5e-5);
-  EXPECT_NEAR(gaussian_run_length_two_sided(0.5, 5, 0), 465.44351, 5e-5);
-  EXPECT_NEAR(gaussian_run_length_two_sided(0.5, 5, 1), 10.37597, 5e-5);
-}
-
-TEST(GaussianRunLength, AgreesWithTheMarkovChain) {
+// Of the classical table: k = 1/2, h = 4 (Montgomery; R package spc agrees).
+TEST(MeanRunLength, HasTheClassicalValue) {
   const StepLaw law{[](double y) { return std::erfc((y + 0.5) * M_SQRT1_2) / 2; }};
   EXPECT_NEAR(mean_run_length(law, 4) / 335.36758, 1, 1e-5);
 }
@@ -108,23 +99,6 @@ TEST(AlphaForRunLength, RejectsWhatNoThresholdGives) {
   EXPECT_EQ(error_of(155), "no error");
 }
 
-TEST(GaussianRunLength, AgreesWithTheGoldenTable) {
-  const auto path = golden_file("cusum_arl_gauss.csv");
-  if (path.empty()) GTEST_SKIP() << "no golden numbers on this machine";
-  Table t = read_table(path);
-  Deviations numbers;
-  for (std::size_t i = 0; i < t.rows; ++i) {
-    const double k = t.columns["k"][i];
-    const double h = t.columns["h"][i];
-    const double mu = t.columns["mu"][i];
-    numbers.relative(gaussian_run_length(k, h, mu), t.columns["arl_one_sided"][i], 1e-6);
-    numbers.relative(gaussian_run_length_two_sided(k, h, mu), t.columns["arl_two_sided"][i], 1e-6);
-  }
-  std::cout << "cusum_arl_gauss: " << numbers.summary() << '\n';
-  EXPECT_EQ(numbers.compared(), 432);
-  EXPECT_EQ(numbers.outside(), 0);
-}
-
 nlohmann::json thesis_table() {
   return nlohmann::json::parse(std::ifstream(golden_file("cusum_arl_thesis_f0f1.json")));
 }
@@ -161,22 +135,6 @@ TEST(AlphaForRunLength, HasNoMoreFalseAlarmsThanWantedWhereTheRunLengthJumps) {
     const double alpha = alpha_for_run_length(law, samples, false);
     EXPECT_GE(mean_run_length(law, alpha, false), samples * (1 - 1e-9)) << samples;
   }
-}
-
-TEST(RoughAlphaForRunLength, HasNearlyTheRunLengthThatIsWanted) {
-  for (const double samples : {300.0, 3600.0, 86400.0}) {
-    for (const Normal good : {thesis_good, Normal{65, 8}, Normal{75, 15}}) {
-      const StepLaw law = step_law(NormalLlr(good, thesis_bad), 0, good);
-      const auto alpha = rough_alpha_for_run_length(law, samples);
-      ASSERT_TRUE(alpha) << samples << ' ' << good.mean;
-      EXPECT_NEAR(mean_run_length(law, *alpha) / samples, 1, 0.03) << samples << ' ' << good.mean;
-    }
-  }
-}
-
-TEST(RoughAlphaForRunLength, IsEmptyWhereNoThresholdIsThere) {
-  EXPECT_FALSE(rough_alpha_for_run_length(step_law(thesis, 0, thesis_good), 100));
-  EXPECT_FALSE(rough_alpha_for_run_length(step_law(thesis, 0, thesis_good), 1e300));
 }
 
 TEST(AlphaForRunLength, AgreesWithTheGoldenTable) {

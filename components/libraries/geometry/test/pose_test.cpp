@@ -13,6 +13,8 @@ TEST(WrapAngle, KeepsAnglesWithinHalfATurn) {
   EXPECT_NEAR(wrap_angle(3 * pi / 2), -pi / 2, 1e-12);
   EXPECT_NEAR(wrap_angle(-3 * pi / 2), pi / 2, 1e-12);
   EXPECT_NEAR(wrap_angle(7 * pi + 0.1), -pi + 0.1, 1e-12);
+  EXPECT_TRUE(std::isnan(wrap_angle(std::numeric_limits<double>::quiet_NaN())));
+  EXPECT_TRUE(std::isnan(wrap_angle(std::numeric_limits<double>::infinity())));
 }
 
 TEST(WrapAngle, HalfATurnIsPositive) {
@@ -23,39 +25,20 @@ TEST(WrapAngle, HalfATurnIsPositive) {
   EXPECT_LT(wrap_angle(std::nextafter(-pi, 0)), 0);
 }
 
-TEST(WrapAngle, OfNoNumberIsNone) {
-  EXPECT_TRUE(std::isnan(wrap_angle(std::numeric_limits<double>::quiet_NaN())));
-  EXPECT_TRUE(std::isnan(wrap_angle(std::numeric_limits<double>::infinity())));
-}
-
-TEST(Distance, IsTheLengthOfTheStraightWay) {
-  EXPECT_DOUBLE_EQ(distance({1, 1}, {4, 5}), 5);
-  EXPECT_EQ(distance({1, 1}, {1, 1}), 0);
-}
-
-TEST(Between, LiesAtTheShareOfTheWay) {
-  const Point quarter = between({0, 2}, {4, 0}, 0.25);
-  EXPECT_DOUBLE_EQ(quarter.x_m, 1);
-  EXPECT_DOUBLE_EQ(quarter.y_m, 1.5);
-}
-
-TEST(Quaternion, GivesTheHeadingItWasMadeFrom) {
+TEST(Quaternion, GivesTheHeadingItWasMadeFromWhateverItsLength) {
   for (const double heading_rad : {-3.0, -0.7, 0.0, 1.2, 3.1}) {
     EXPECT_NEAR(heading_of(quaternion_of(heading_rad)), heading_rad, 1e-12);
   }
-}
-
-TEST(Quaternion, HeadingIgnoresLength) {
   EXPECT_NEAR(heading_of({0, 0, 2 * std::sin(0.4), 2 * std::cos(0.4)}), 0.8, 1e-12);
 }
 
-TEST(Quaternion, HeadingOfTheThesisFirstWaypoint) {
-  EXPECT_NEAR(heading_of({0, 0, 0.5380338078016184, 0.842923259652082}), 1.1362, 1e-4);
-}
-
-TEST(Bearing, PointsFromTheFirstToTheSecond) {
+TEST(Points, HaveADistanceABearingAndWhatLiesBetween) {
+  EXPECT_DOUBLE_EQ(distance({1, 1}, {4, 5}), 5);
   EXPECT_NEAR(bearing({1, 1}, {0, 1}), pi, 1e-12);
   EXPECT_NEAR(bearing({1, 1}, {1, 3}), pi / 2, 1e-12);
+  const Point quarter = between({0, 2}, {4, 0}, 0.25);
+  EXPECT_DOUBLE_EQ(quarter.x_m, 1);
+  EXPECT_DOUBLE_EQ(quarter.y_m, 1.5);
 }
 
 TEST(Compose, MovesAPoseIntoTheFrameOfAnother) {

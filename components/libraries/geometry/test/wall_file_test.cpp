@@ -39,8 +39,6 @@ TEST_F(WallFileTest, HoldsSegmentsInTheirOrder) {
   EXPECT_EQ(sut[1].x1_m, -1.5);
 }
 
-TEST_F(WallFileTest, MayBeEmpty) { EXPECT_TRUE(load("walls: []").empty()); }
-
 TEST_F(WallFileTest, IsReadAgainWhenItHasChanged) {
   EXPECT_EQ(load("walls: [[0, 0, 1, 0, 1]]").size(), 1U);
   EXPECT_EQ(load("walls: [[0, 0, 1, 0, 1], [0, 0, 1, 0, 22]]").size(), 2U);
@@ -64,17 +62,11 @@ TEST_F(WallFileTest, RefusesALossOutsideItsRange) {
 }
 
 TEST_F(WallFileTest, MustHoldAList) {
+  EXPECT_TRUE(load("walls: []").empty());
+  EXPECT_THROW((void)load_walls(folder_.path("none.yaml")), ConfigError);
   for (const char* text : {"fences: []", "walls: 3", "[1, 2]"}) {
     EXPECT_THAT(error_of(text), HasSubstr("walls: the file must hold a list")) << text;
   }
-}
-
-TEST_F(WallFileTest, MustBeThere) {
-  EXPECT_THROW((void)load_walls(folder_.path("none.yaml")), ConfigError);
-}
-
-TEST(WallFile, OfTheClassroomIsRead) {
-  EXPECT_GT(load_walls(TOCSIN_REPOSITORY "/config/maps/classroom.walls.yaml").size(), 5U);
 }
 
 }  // namespace

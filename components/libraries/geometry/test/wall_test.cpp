@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 namespace tocsin::geometry {
 namespace {
 
@@ -20,18 +22,17 @@ TEST(Side, IsPositiveToTheLeft) {
   EXPECT_EQ(side({0, 0}, {1, 0}, {7, 0}), 0);
 }
 
-TEST(Crosses, OnlyWhatGoesThroughTheWall) {
-  EXPECT_TRUE(crosses(wall, {0, 0}, {4, 0}));
-  EXPECT_TRUE(crosses(wall, {4, 0}, {0, 0}));
-  EXPECT_FALSE(crosses(wall, {0, 0}, {1.9, 0}));
-  EXPECT_FALSE(crosses(wall, {0, 1.1}, {4, 1.1}));
-  EXPECT_TRUE(crosses(wall, {0, 0.99}, {4, 0.99}));
-}
-
-TEST(Crosses, NotWhatOnlyTouchesIt) {
-  EXPECT_FALSE(crosses(wall, {0, 0}, {2, 0}));
-  EXPECT_FALSE(crosses(wall, {0, 1}, {4, 1}));
-  EXPECT_FALSE(crosses(wall, {2, -5}, {2, 5}));
+TEST(Crosses, WhatGoesThroughTheWallAndNotWhatOnlyTouchesIt) {
+  for (const auto& [from, to, through] : {std::tuple(Point{0, 0}, Point{4, 0}, true),
+                                          {{4, 0}, {0, 0}, true},
+                                          {{0, 0}, {1.9, 0}, false},
+                                          {{0, 1.1}, {4, 1.1}, false},
+                                          {{0, 0.99}, {4, 0.99}, true},
+                                          {{0, 0}, {2, 0}, false},
+                                          {{0, 1}, {4, 1}, false},
+                                          {{2, -5}, {2, 5}, false}}) {
+    EXPECT_EQ(crosses(wall, from, to), through) << from.x_m << ' ' << from.y_m;
+  }
 }
 
 TEST(NearestPoint, LiesBesideThePointOrAtAnEnd) {
@@ -39,12 +40,7 @@ TEST(NearestPoint, LiesBesideThePointOrAtAnEnd) {
   EXPECT_DOUBLE_EQ(nearest_point(wall, {5, 0.25}).y_m, 0.25);
   EXPECT_DOUBLE_EQ(nearest_point(wall, {5, 9}).y_m, 1);
   EXPECT_DOUBLE_EQ(nearest_point(wall, {-5, -9}).y_m, -1);
-}
-
-TEST(NearestPoint, OfAWallWithoutLengthIsItsPlace) {
-  const Point nearest = nearest_point({1, 2, 1, 2, 0}, {4, 6});
-  EXPECT_EQ(nearest.x_m, 1);
-  EXPECT_EQ(nearest.y_m, 2);
+  EXPECT_EQ(nearest_point({1, 2, 1, 2, 0}, {4, 6}).y_m, 2) << "a wall without length";
 }
 
 }  // namespace

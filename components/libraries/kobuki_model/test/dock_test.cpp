@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "kobuki_model/base_model.hpp"
 
@@ -23,41 +24,33 @@ int seen_at(double x_m, double y_m) {
 constexpr int near_all = 1 | 2 | 4;
 constexpr int far_all = 8 | 16 | 32;
 
-TEST(Dock, ShinesNearAndFarAhead) {
-  EXPECT_EQ(seen_at(2.39, 0), near_all | far_all);
-  EXPECT_EQ(seen_at(2.41, 0), far_all);
-  EXPECT_EQ(seen_at(4.99, 0), far_all);
-  EXPECT_EQ(seen_at(5.01, 0), 0);
-  EXPECT_EQ(seen_at(-1, 0), 0);
-}
-
-TEST(Dock, HasItsOwnLeftAndRight) {
-  EXPECT_EQ(seen_at(3, 0.5), 16);
-  EXPECT_EQ(seen_at(3, -0.5), 32);
-  EXPECT_EQ(seen_at(1, 0.5), 16 | 1);
-  EXPECT_EQ(seen_at(1, -0.5), 32 | 4);
-}
-
-TEST(Dock, HasACentreBeamOfTheSameWidthEverywhere) {
-  for (const double x_m : {0.5, 3.0}) {
-    EXPECT_NE(seen_at(x_m, 0.054) & 8, 0);
-    EXPECT_EQ(seen_at(x_m, 0.056) & 8, 0);
+TEST(Dock, ShinesNearAndFarInThreeBeams) {
+  struct {
+    double x_m, y_m;
+    int seen;
+  } const places[] = {{2.39, 0, near_all | far_all},
+                      {2.41, 0, far_all},
+                      {4.99, 0, far_all},
+                      {5.01, 0, 0},
+                      {-1, 0, 0},
+                      // its own left and right
+                      {3, 0.5, 16},
+                      {3, -0.5, 32},
+                      {1, 0.5, 16 | 1},
+                      {1, -0.5, 32 | 4},
+                      // side beams overlap at the centre line
+                      {3, 0.029, 8 | 16 | 32},
+                      {3, 0.031, 8 | 16},
+                      {3, -0.031, 8 | 32},
+                      // the centre beam is as wide everywhere
+                      {3, 0.054, 8 | 16},
+                      {3, 0.056, 16},
+                      {0.5, 0.056, 16 | 1}};
+  for (const auto& [x_m, y_m, seen] : places)
+    EXPECT_EQ(seen_at(x_m, y_m), seen) << x_m << ' ' << y_m;
+  for (const auto& [angle_deg, seen] : {std::pair(54.9, 16 | 1), {55.1, 0}, {-55.1, 0}}) {
+    EXPECT_EQ(seen_at(std::cos(angle_deg * degree_rad), std::sin(angle_deg * degree_rad)), seen);
   }
-}
-
-TEST(Dock, HasSideBeamsThatOverlapAtTheCentreLine) {
-  EXPECT_EQ(seen_at(3, 0.029), 8 | 16 | 32);
-  EXPECT_EQ(seen_at(3, 0.031), 8 | 16);
-  EXPECT_EQ(seen_at(3, -0.031), 8 | 32);
-}
-
-TEST(Dock, ShinesNotAtAllFromTheSide) {
-  const auto at_angle = [](double angle_deg) {
-    return seen_at(std::cos(angle_deg * degree_rad), std::sin(angle_deg * degree_rad));
-  };
-  EXPECT_EQ(at_angle(54.9), 16 | 1);
-  EXPECT_EQ(at_angle(55.1), 0);
-  EXPECT_EQ(at_angle(-55.1), 0);
 }
 
 TEST(Dock, IsSeenByTheReceiverThatFacesIt) {
@@ -79,12 +72,15 @@ TEST(Dock, IsSeenFromTheRimOfTheBase) {
 
 TEST(Dock, ChargesOnlyInFrontInTheMiddleAndFacing) {
   const double x = body_radius_m + 0.01;
-  EXPECT_TRUE(sut.in_contact({x, 0, pi}));
-  EXPECT_TRUE(sut.in_contact({x, 0.049, pi}));
-  EXPECT_FALSE(sut.in_contact({x, 0.051, pi}));
-  EXPECT_FALSE(sut.in_contact({x + 0.003, 0, pi}));
-  EXPECT_TRUE(sut.in_contact({x, 0, pi + 24 * degree_rad}));
-  EXPECT_FALSE(sut.in_contact({x, 0, pi + 26 * degree_rad}));
+  for (const auto& [pose, charges] : {std::pair(geometry::Pose{x, 0, pi}, true),
+                                      {{x, 0.049, pi}, true},
+                                      {{x, 0.051, pi}, false},
+                                      {{x + 0.003, 0, pi}, false},
+                                      {{x, 0, pi + 24 * degree_rad}, true},
+                                      {{x, 0, pi + 26 * degree_rad}, false}}) {
+    EXPECT_EQ(sut.in_contact(pose), charges)
+        << pose.x_m << ' ' << pose.y_m << ' ' << pose.heading_rad;
+  }
 }
 
 TEST(Dock, StopsAndChargesABase) {

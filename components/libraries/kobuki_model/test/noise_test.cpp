@@ -34,17 +34,5 @@ TEST(StandardNormal, HasTailsBeyondItsLayers) {  // 3.44 is where the ziggurat's
   EXPECT_NEAR(far, draws * std::erfc(3.5 / std::sqrt(2.0)), 4 * std::sqrt(93));
 }
 
-TEST(StandardNormal, HasNoMemoryOfTheDrawBefore) {
-  std::mt19937_64 random(3);
-  double sum = 0;
-  double before = standard_normal(random);
-  for (int i = 0; i < draws; ++i) {
-    const double draw = standard_normal(random);
-    sum += draw * before;
-    before = draw;
-  }
-  EXPECT_NEAR(sum / draws, 0, 4 / std::sqrt(draws));
-}
-
 }  // namespace
 }  // namespace tocsin::kobuki

@@ -18,10 +18,18 @@ TEST(Power, DrainsWithTheLoad) {
   EXPECT_NEAR(idle.charge(), 1 - 0.5 / 2.2, 1e-9);  // 0.5 A for an hour
   EXPECT_NEAR(driving.charge(), 1 - 1.5 / 2.2, 1e-9);
   EXPECT_LT(driving.battery_dv(), idle.battery_dv());
+  params.battery_drain_scale = 100;
+  Power scaled{params};
+  scaled.step(36, 0);
+  EXPECT_NEAR(scaled.charge(), 1 - 0.5 / 2.2, 1e-9);
 }
 
 TEST(Power, NeverLeavesItsRange) {
   Power sut{ModelParams{}};
+  sut.set_charge(1);
+  EXPECT_EQ(sut.battery_dv(), 166);
+  sut.set_charge(0);
+  EXPECT_EQ(sut.battery_dv(), 130);
   sut.set_charge(0.0001);
   sut.step(3600, 2);
   EXPECT_EQ(sut.charge(), 0);
@@ -42,23 +50,6 @@ TEST(Power, ReportsTheChargerAsTheWireDoes) {
   EXPECT_EQ(sut.charger(), 18);
   sut.plug(ChargingSource::dock);
   EXPECT_EQ(sut.charger(), 2);
-}
-
-TEST(Power, HasTheVoltagesOfThePack) {
-  Power sut{ModelParams{}};
-  sut.set_charge(1);
-  EXPECT_EQ(sut.battery_dv(), 166);
-  sut.set_charge(0);
-  EXPECT_EQ(sut.battery_dv(), 130);
-}
-
-TEST(Power, ScalesItsDrain) {
-  ModelParams params;
-  params.battery_drain_scale = 100;
-  Power sut{params};
-  sut.set_charge(1);
-  sut.step(36, 0);
-  EXPECT_NEAR(sut.charge(), 1 - 0.5 / 2.2, 1e-9);
 }
 
 }  // namespace

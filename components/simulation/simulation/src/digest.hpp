@@ -15,7 +15,8 @@ namespace tocsin::simulation {
 /// FNV-1a with words of eight bytes in place of bytes (eight times faster), little endian.
 class Digest {
  public:
-  void add(std::uint64_t word) { value_ = (value_ ^ word) * 1099511628211ULL; }
+  static constexpr std::uint64_t prime = 1099511628211ULL;
+  void add(std::uint64_t word) { value_ = (value_ ^ word) * prime; }
   void add(std::string_view text);
   void add_sample(Time now, std::string_view writer, const TypeInfo& type, const void* message);
 

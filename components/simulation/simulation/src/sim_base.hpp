@@ -10,6 +10,7 @@
 #include "core.hpp"
 #include "deployment/deployment.hpp"
 #include "devices/devices.hpp"
+#include "devices/serial_device.hpp"
 #include "geometry/pose.hpp"
 #include "kobuki_model/base_model.hpp"
 #include "kobuki_model/serial_line.hpp"

@@ -52,7 +52,7 @@ struct Network {
 /// The bus of one simulated process (container).
 ///
 /// A sample goes at once and in order to every reader on its host, and to the host's router.
-class SimProcess final : public Bus {
+class SimProcess final : public Bus, private LinkAccess {
  public:
   /// `life`: how often it was started before.
   SimProcess(Network& network, SimHost& host, std::string name, int life);
@@ -62,7 +62,7 @@ class SimProcess final : public Bus {
   std::unique_ptr<Publication> advertise(const Endpoint& endpoint) override;
   [[nodiscard]] Time now() const override { return network_.core.now; }
   [[nodiscard]] std::int64_t wall_ns(Time t) const override;
-  std::unique_ptr<LinkBus> open_link(const std::function<void()>& on_event) override;
+  [[nodiscard]] LinkAccess* link_access() override { return this; }
   /// Frozen, its link takes and sends no packet; what its host writes waits for it.
   void freeze(bool frozen) { frozen_ = frozen; }
   [[nodiscard]] bool is_frozen() const { return frozen_; }
@@ -94,6 +94,7 @@ class SimProcess final : public Bus {
   void die();
 
  private:
+  std::unique_ptr<LinkBus> open_link(const std::function<void()>& on_event) override;
   Topic& topic(const Endpoint& endpoint);
   std::unique_ptr<Topic> make_topic(const Endpoint& endpoint);
   void report(const Topic& topic, const void* message) const;

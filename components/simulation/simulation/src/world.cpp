@@ -87,12 +87,12 @@ void World::add(const deployment::Host& host) {
   side.host = std::make_unique<SimHost>(
       network_, host.name, host.role, deployment_.traffic,
       drives_a_vehicle(deployment_) ? VehicleChain::ours : VehicleChain::foreign);
-  side.devices = std::make_unique<SimDevices>(core, link_,
-                                              SimDevices::Place{host.name, side.host->direction()},
-                                              deployment_.run_dir + "/wireless");
-  if (!options_.faults.empty()) side.devices->keep_files();
+  side.computer = std::make_unique<SimComputer>(
+      core, link_, SimComputer::Place{host.name, side.host->direction()},
+      deployment_.run_dir + "/wireless");
+  if (!options_.faults.empty()) side.computer->keeps_files = true;
   for (const deployment::Host& other : deployment_.hosts) {
-    if (&other != &host) side.devices->add_peer(other.address);
+    if (&other != &host) side.computer->add_peer(other.address);
   }
   add_bases(host, side);
   for (const deployment::Container& container : host.containers) add(container, side);
@@ -110,7 +110,7 @@ void World::add_bases(const deployment::Host& host, Side& side) {
                         program.command.front() + " has no model; leave it out with --without");
     }
     SimBase& base = side.bases.emplace_back(core, read_base_options(program));
-    side.devices->add_base(base);
+    side.computer->add_base(base);
     feed_position(host.name, base);
   }
 }
@@ -147,7 +147,7 @@ World::Instance& World::add_instance(const std::string& name, Process& process) 
       {Context(*process.bus, name, host.role())
            .with_run_dir(deployment_.run_dir)
            .with_request_exit([this, &process](int code) { exit(process, code); })
-           .with_devices(*process.side->devices)
+           .with_computer(*process.side->computer)
            .with_seed(process_seed(deployment_.seed, host.name(), process.container->name)),
        nullptr});
   return process.instances.back();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <list>
 #include <memory>
 #include <optional>
@@ -10,7 +11,7 @@
 #include "radio_forger.hpp"
 #include "runtime/middleware/log_clock.hpp"
 #include "scheduler.hpp"
-#include "sim_devices.hpp"
+#include "sim_computer.hpp"
 #include "sim_host.hpp"
 #include "simulation/sim_world.hpp"
 #include "strangers.hpp"
@@ -20,7 +21,7 @@ namespace tocsin::simulation {
 /// Everything of one host. Components are destroyed before the devices that they use.
 struct Side {
   std::unique_ptr<SimHost> host;
-  std::unique_ptr<SimDevices> devices;
+  std::unique_ptr<SimComputer> computer;
   std::list<SimBase> bases;
 };
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <stdexcept>
 #include <string>
 
@@ -40,26 +41,21 @@ class SchedulerTest : public ::testing::Test {
   Scheduler sut_;
 };
 
-TEST_F(SchedulerTest, TicksOnceAtTheStart) {
+TEST_F(SchedulerTest, TicksOnceAtItsStart) {
   Puppet puppet(context_, [](Puppet&, Time) {});
+  Puppet later(context_, [](Puppet&, Time) {});
   add(puppet);
-  sut_.run(begin);
-  sut_.run(begin + seconds(1));
-  EXPECT_EQ(puppet.ticks, 1);
-  EXPECT_EQ(sut_.ticks(), 1U);
-  EXPECT_EQ(sut_.next(), never);
-}
-
-TEST_F(SchedulerTest, TicksForTheFirstTimeWhenItShall) {
-  Puppet puppet(context_, [](Puppet&, Time) {});
   sut_.add(
-      puppet, [] { return true; }, begin + seconds(1));
+      later, [] { return true; }, begin + seconds(1));
   sut_.run(begin);
-  sut_.run(begin + seconds(1) - Duration{1});
-  EXPECT_EQ(puppet.ticks, 0);
+  EXPECT_EQ(puppet.ticks, 1);
+  EXPECT_EQ(later.ticks, 0);
   EXPECT_EQ(sut_.next(), begin + seconds(1));
   sut_.run(begin + seconds(1));
   EXPECT_EQ(puppet.ticks, 1);
+  EXPECT_EQ(later.ticks, 1);
+  EXPECT_EQ(sut_.ticks(), 2U);
+  EXPECT_EQ(sut_.next(), never);
 }
 
 TEST_F(SchedulerTest, WhoIsFrozenIsNotDueAndTicksOnceWhenItIsThawed) {
@@ -76,7 +72,7 @@ TEST_F(SchedulerTest, WhoIsFrozenIsNotDueAndTicksOnceWhenItIsThawed) {
   EXPECT_EQ(sut_.next(), begin + seconds(7));
 }
 
-TEST_F(SchedulerTest, TicksAtADeadlineAndNotBefore) {
+TEST_F(SchedulerTest, TicksAtADeadlineAndNotBeforeWhileItsProcessLives) {
   Puppet puppet(context_, [](Puppet& p, Time now) { p.wake_at(now + seconds(1)); });
   add(puppet);
   sut_.run(begin);
@@ -85,6 +81,10 @@ TEST_F(SchedulerTest, TicksAtADeadlineAndNotBefore) {
   EXPECT_EQ(puppet.ticks, 1);
   sut_.run(begin + seconds(1));
   EXPECT_EQ(puppet.ticks, 2);
+  running_ = false;
+  sut_.run(begin + seconds(2));
+  EXPECT_EQ(puppet.ticks, 2);
+  EXPECT_EQ(sut_.next(), never);
 }
 
 TEST_F(SchedulerTest, TicksForInputUntilAllAreAtRest) {
@@ -113,16 +113,6 @@ TEST_F(SchedulerTest, ComponentThatThrowsIsTickedNoMoreAndItsNeighbourIs) {
   sut_.run(begin + seconds(1));
   EXPECT_EQ(bad.ticks, 1);
   EXPECT_EQ(good.ticks, 2);
-}
-
-TEST_F(SchedulerTest, ProcessThatEndedIsTickedNoMore) {
-  Puppet puppet(context_, [](Puppet& p, Time now) { p.wake_at(now + seconds(1)); });
-  add(puppet);
-  sut_.run(begin);
-  running_ = false;
-  sut_.run(begin + seconds(1));
-  EXPECT_EQ(puppet.ticks, 1);
-  EXPECT_EQ(sut_.next(), never);
 }
 
 TEST_F(SchedulerTest, NamesAComponentThatNeverComesToRest) {

@@ -40,18 +40,13 @@ deployment::Deployment small() {
   return deployment;
 }
 
-TEST(SimWorld, RunsUntilTheLimit) {
-  SimWorld sut(small());
-  const Outcome outcome = sut.run(seconds(10));
-  EXPECT_EQ(outcome.simulated, seconds(10));
-  EXPECT_FALSE(outcome.exit_code);
-  EXPECT_GE(outcome.ticks, 20U);  // each router each second
-}
-
 TEST(SimWorld, GoesOnWhereItStopped) {
   SimWorld whole(small());
   SimWorld parts(small());
   const Outcome at_once = whole.run(seconds(10));
+  EXPECT_EQ(at_once.simulated, seconds(10));
+  EXPECT_FALSE(at_once.exit_code);
+  EXPECT_GE(at_once.ticks, 20U);  // each router each second
   (void)parts.run(seconds(4));
   const Outcome rest = parts.run(seconds(6));
   EXPECT_EQ(rest.simulated, seconds(6));
@@ -113,27 +108,19 @@ TEST(SimWorld, ShowsTheObserverWhatHappensAndIsNotChangedByIt) {
   EXPECT_EQ(counter.samples, outcome.samples);
   EXPECT_EQ(counter.reports, 11);     // at start and each second
   EXPECT_EQ(counter.positions, 101);  // at start and each 100 ms
-}
-
-TEST(SimWorld, WithoutDigestDoesTheSame) {
-  const Outcome with = SimWorld(small()).run(seconds(10));
-  WorldOptions options;
+  options.observer = nullptr;
   options.digest = false;
-  const Outcome outcome = SimWorld(small(), options).run(seconds(10));
-  EXPECT_EQ(outcome.digest, 0U);
-  EXPECT_EQ(outcome.ticks, with.ticks);
-  EXPECT_EQ(outcome.samples, with.samples);
+  const Outcome without = SimWorld(small(), options).run(seconds(10));
+  EXPECT_EQ(without.digest, 0U);
+  EXPECT_EQ(without.ticks, alone.ticks);
+  EXPECT_EQ(without.samples, alone.samples);
 }
 
-TEST(SimWorld, RefusesAProgramWithoutAModel) {
+TEST(SimWorld, RefusesAProgramWithoutAModelAndAComponentThatIsNotInstalled) {
   deployment::Deployment deployment = small();
   deployment.hosts[1].programs = {{"browser", {"firefox"}}};
   EXPECT_THROW(SimWorld{deployment}, ConfigError);
-}
-
-TEST(SimWorld, RefusesAComponentThatIsNotInstalled) {
-  deployment::Deployment deployment = small();
-  deployment.hosts[0].containers[0].components.resize(1);
+  deployment = small();
   deployment.hosts[0].containers[0].components[0].component = "no_such_component";
   EXPECT_THROW(SimWorld{deployment}, ConfigError);
 }

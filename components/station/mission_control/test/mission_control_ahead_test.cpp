@@ -80,26 +80,15 @@ TEST_F(SuccessorTest, GoesOnBehindAWaypointThatWasReachedMeanwhile) {
   EXPECT_EQ(goal_after(first_goal().name, "reached").waypoint, 1U);
 }
 
-TEST_F(SuccessorTest, StartsOverWhenTheVehicleDrivesForAnotherMission) {
+TEST_F(SuccessorTest, StartsOverForAnotherMissionAForeignGoalOrWhenToldNotToResume) {
   const auto first = first_goal();
   const Mission other{"other", "map", {{9, 9, 0}, {8, 8, 0}}, ""};
-  const auto goal = goal_after(after(first.name), "driving", other);
-  EXPECT_EQ(goal.waypoint, 0U);
-  EXPECT_NE(goal.name.mission, first.name.mission);
-}
-
-TEST_F(SuccessorTest, StartsOverWhenTheVehiclesGoalIsNoWaypointOfTheMission) {
-  const auto first = first_goal();
-  const auto goal = goal_after(after(first.name, 2), "driving");
-  EXPECT_EQ(goal.waypoint, 0U);
-  EXPECT_NE(goal.name.mission, first.name.mission);
-}
-
-TEST_F(SuccessorTest, StartsOverWhenItIsToldNotToResume) {
-  const auto first = first_goal();
-  const auto goal = goal_after(after(first.name), "driving", two_waypoints, false);
-  EXPECT_EQ(goal.waypoint, 0U);
-  EXPECT_NE(goal.name.mission, first.name.mission);
+  for (const auto& goal : {goal_after(after(first.name), "driving", other),
+                           goal_after(after(first.name, 2), "driving"),  // none of its waypoints
+                           goal_after(after(first.name), "driving", two_waypoints, false)}) {
+    EXPECT_EQ(goal.waypoint, 0U);
+    EXPECT_NE(goal.name.mission, first.name.mission);
+  }
 }
 
 /// The vehicle drives to a goal that is not this mission control's.

@@ -43,32 +43,6 @@ TEST_F(MissionControlComponentTest, SendsTheFirstWaypointAsAGoal) {
   EXPECT_EQ(state(), "running");
 }
 
-TEST_F(MissionControlComponentTest, LeadsThroughTheMissionByLocationAndStatus) {
-  (void)first_goal();
-  locate(1);
-  run(0.3);
-  const auto second = goals_.take().at(0);
-  EXPECT_EQ(second.waypoint(), 1U);
-  tell(second, "reached");
-  run(0.3);
-  EXPECT_EQ(state(), "done");
-  EXPECT_TRUE(goals_.take().empty());
-}
-
-TEST_F(MissionControlComponentTest, PausesAndResumesWhenPeopleSaySo) {
-  const auto goal = first_goal();
-  say("pause");
-  run(0.3);
-  EXPECT_EQ(state(), "paused");
-  const auto hold = goals_.take().at(0);
-  EXPECT_EQ(hold.x(), 0);
-  EXPECT_GT(hold.id(), goal.id());
-  say("resume");
-  run(0.3);
-  EXPECT_EQ(state(), "running");
-  EXPECT_EQ(goals_.take().at(0).x(), goal.x());
-}
-
 TEST_F(MissionControlComponentTest, SkipsAWaypointAndIgnoresOtherWords) {
   (void)first_goal();
   for (const char* words : {"skip", "skip 0", "skip 1x", "Pause", ""}) say(words);

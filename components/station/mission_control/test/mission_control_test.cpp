@@ -140,23 +140,6 @@ TEST_F(MissionControlTest, IsDoneAfterTheLastWaypointAndSendsNoMore) {
   EXPECT_DOUBLE_EQ(progress().elapsed_s, 28);
 }
 
-TEST_F(MissionControlTest, TellsHowItArrived) {
-  (void)first_goal();
-  (void)at(5);
-  hear(0.9);
-  const auto second = at(6);
-  hear(4);
-  hear(second.value().name, "reached");
-  (void)at(9);
-  ASSERT_EQ(sut.arrivals().size(), 2U);
-  EXPECT_TRUE(sut.arrivals()[0].by_location);
-  EXPECT_NEAR(sut.arrivals()[0].distance_m, 0.1, 1e-9);
-  EXPECT_DOUBLE_EQ(sut.arrivals()[0].after_s, 4);
-  EXPECT_EQ(sut.arrivals()[0].goals, 2U);
-  EXPECT_FALSE(sut.arrivals()[1].by_location);
-  EXPECT_DOUBLE_EQ(sut.arrivals()[1].after_s, 3);
-}
-
 TEST_F(MissionControlTest, AbortsWhenBlockedForLongerThanTheLimit) {
   const auto first = first_goal();
   hear(first.name, "blocked");

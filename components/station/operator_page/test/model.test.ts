@@ -221,7 +221,7 @@ describe("LinkClasses", () => {
   });
   it("adds up what was not sent for other reasons than the gate", () => {
     const sut = new LinkClasses();
-    const counts = { dropped_paused: 9n, dropped_superseded: 1n, dropped_thinned: 2n, dropped_expired: 3n, dropped_overflow: 4n };
+    const counts = { dropped_paused: 9n, dropped_superseded: 3n, dropped_expired: 3n, dropped_overflow: 4n };
     sut.onState(make.linkState([make.linkClass(counts)]), 0);
     assert.equal(sut.rows()[0]?.paused, 9);
     assert.equal(sut.rows()[0]?.otherDropped, 10);

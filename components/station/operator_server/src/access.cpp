@@ -81,7 +81,7 @@ bool is_own_page(const AccessRules& rules, const RequestFacts& request) {
   return request.origin.empty() || request.origin == own;
 }
 
-/// Desktop clients, and the pages that their makers serve; a page of the web cannot claim one of
+/// Desktop clients, and the pages that their vendors serve; a page of the web cannot claim one of
 /// these. "null" is none of them: any page gets it by a frame that it seals off.
 bool is_known_client(const AccessRules& rules, const std::string& origin) {
   constexpr std::array<const char*, 5> known{
@@ -123,8 +123,8 @@ bool is_plain(char c) {
          c == '_' || c == '-' || c == '/';
 }
 
-/// The tables that a page draws the trail from.
-constexpr std::array<const char*, 2> tables{"location.csv", "transmission_state.csv"};
+/// The topics that a page draws the trail from.
+constexpr std::array<const char*, 2> tables{"location", "transmission_state"};
 
 /// A request for what only this run has; none: it is for a file of the page.
 std::optional<Verdict> verdict_of_run(const std::string& path, const RequestFacts& request) {
@@ -133,9 +133,10 @@ std::optional<Verdict> verdict_of_run(const std::string& path, const RequestFact
   if (path == "what_if") return AskWhatIf{query_of(request.target)};
   const std::string table_folder = "tables/";
   if (path.rfind(table_folder, 0) == 0) {
-    const std::string table = path.substr(table_folder.size());
-    const bool known = std::find(tables.begin(), tables.end(), table) != tables.end();
-    return known ? Verdict(ServeTable{table}) : Refuse{404, "there is no such table"};
+    for (const std::string topic : tables) {
+      if (path == table_folder + topic + ".csv") return ServeTable{topic};
+    }
+    return Refuse{404, "there is no such table"};
   }
   if (path.rfind(folder, 0) != 0) return std::nullopt;
   const std::string file = path.substr(folder.size());

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "answers.hpp"
 
-#include <filesystem>
 #include <utility>
 
+#include "csv_tables/bag_tables.hpp"
+#include "foundation/error.hpp"
 #include "foundation/printable.hpp"
 #include "operator_server/bag_list.hpp"
 #include "operator_server/what_if.hpp"
@@ -34,7 +35,7 @@ Response respond(const Request& request, unsigned status, const char* type, std:
 }
 
 /// A file, or the part of it that is asked for.
-Answer file_answer(OpenBag bag, const char* type, const Request& request) {
+Answer file_answer(OpenBag bag, const Request& request) {
   const auto range = byte_range(field(request, http::field::range), bag.bytes);
   if (!range) {
     Response response = respond(request, Refuse{416, "it has no such bytes"});
@@ -43,7 +44,7 @@ Answer file_answer(OpenBag bag, const char* type, const Request& request) {
   }
   FileResponse response{range->is_part ? http::status::partial_content : http::status::ok,
                         request.version()};
-  set_common_fields(response, type);
+  set_common_fields(response, "application/octet-stream");
   response.set(http::field::accept_ranges, "bytes");
   if (range->is_part) {
     response.set(http::field::content_range, "bytes " + std::to_string(range->first) + "-" +
@@ -85,30 +86,35 @@ Response bag_list_answer(const std::string& folder, const Request& request) {
 Answer bag_answer(const std::string& folder, const std::string& path, const Request& request) {
   OpenBag bag = open_bag(folder, path);
   if (!bag.file) return respond(request, Refuse{404, "there is no such recording"});
-  return file_answer(std::move(bag), "application/octet-stream", request);
+  return file_answer(std::move(bag), request);
 }
 
-Answer table_answer(const std::string& folder, const std::string& file, const Request& request) {
-  OpenBag table = open_table(folder, file);
-  const char* const type = "text/csv; charset=utf-8";
-  if (!table.file) return respond(request, 200, type, "");  // no recorder with csv has written it
-  return file_answer(std::move(table), type, request);
+Response table_answer(const std::string& folder, const std::string& topic, const Request& request) {
+  std::string table;
+  try {
+    table = BagTables(recorded_bags(folder), [&topic](const std::string& one) {
+              return one == topic;
+            }).of(topic);
+  } catch (const ConfigError&) {
+    // a bag that is being made, or damaged: as if there were none
+  }
+  return respond(request, 200, "text/csv; charset=utf-8", std::move(table));
 }
 
-Response what_if_answer(const WhatIfTool& tool, const std::string& query, const Request& request,
-                        const std::atomic<bool>& cancelled) {
+Response what_if_answer(const WebSettings& settings, const std::string& query,
+                        const Request& request, const std::atomic<bool>& cancelled) {
   const auto question = parse_what_if(query);
   if (const auto* const fault = std::get_if<std::string>(&question)) {
     return respond(request, Refuse{400, *fault});
   }
-  if (tool.program.empty()) return respond(request, Refuse{404, "tocsin decide is not installed"});
-  std::error_code error;
-  if (!std::filesystem::exists(tool.recording, error)) {
-    return respond(request,
-                   Refuse{404, "this run has no recorded decisions: no recorder with csv"});
+  if (settings.decide.empty())
+    return respond(request, Refuse{404, "tocsin decide is not installed"});
+  if (recorded_bags(settings.recorded).empty()) {
+    return respond(request, Refuse{404, "this run has no recorded decisions: no recorder"});
   }
-  const ToolOutcome outcome = run_tool(
-      what_if_command(tool.program, tool.recording, std::get<WhatIf>(question)), {}, cancelled);
+  const ToolOutcome outcome =
+      run_tool(what_if_command(settings.decide, settings.recorded, std::get<WhatIf>(question)), {},
+               cancelled);
   if (outcome.end != ToolOutcome::End::success) {
     const bool is_done = outcome.end == ToolOutcome::End::failure;
     return respond(request, Refuse{is_done ? 400U : 503U,

@@ -35,11 +35,12 @@ using Answer = std::variant<OpenSocket, Response, FileResponse, SlowResponse>;
 /// A recording, or the part of it that is asked for.
 [[nodiscard]] Answer bag_answer(const std::string& folder, const std::string& path,
                                 const Request& request);
-/// Nothing where nobody has written it.
-[[nodiscard]] Answer table_answer(const std::string& folder, const std::string& file,
-                                  const Request& request);
+/// What the recorder of a folder has written of a topic so far, as CSV: nothing where it has not.
+/// Reads its bags: takes as long as the disk.
+[[nodiscard]] Response table_answer(const std::string& folder, const std::string& topic,
+                                    const Request& request);
 /// Runs the tool, and blocks until it has ended or `cancelled`.
-[[nodiscard]] Response what_if_answer(const WhatIfTool& tool, const std::string& query,
+[[nodiscard]] Response what_if_answer(const WebSettings& settings, const std::string& query,
                                       const Request& request, const std::atomic<bool>& cancelled);
 
 }  // namespace tocsin::foxglove

@@ -110,9 +110,9 @@ std::string to_json(const std::vector<ListedBag>& bags) {
   return nlohmann::json{{"bags", list}}.dump();
 }
 
-namespace {
-
-OpenBag open_below(const std::string& folder, const fs::path& name) {
+OpenBag open_bag(const std::string& folder, const std::string& path) {
+  const fs::path name(path);
+  if (folder.empty() || !is_file_name(path) || name.extension() != ".mcap") return {};
   // Part by part, so that no link leads out of the folder.
   FileDescriptor at(::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
   for (const fs::path& part : name.parent_path()) {
@@ -126,19 +126,6 @@ OpenBag open_below(const std::string& folder, const fs::path& name) {
   if (!bag.file || ::fstat(bag.file.get(), &about) != 0 || !S_ISREG(about.st_mode)) return {};
   bag.bytes = static_cast<std::uint64_t>(about.st_size);
   return bag;
-}
-
-}  // namespace
-
-OpenBag open_bag(const std::string& folder, const std::string& path) {
-  const fs::path name(path);
-  if (folder.empty() || !is_file_name(path) || name.extension() != ".mcap") return {};
-  return open_below(folder, name);
-}
-
-OpenBag open_table(const std::string& folder, const std::string& name) {
-  if (folder.empty() || !is_file_name(name) || name.find('/') != std::string::npos) return {};
-  return open_below(folder, name);
 }
 
 std::optional<ByteRange> byte_range(std::string_view header, std::uint64_t bytes) {

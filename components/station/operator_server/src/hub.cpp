@@ -221,11 +221,6 @@ std::set<std::string> Hub::written() const {
   return topics;
 }
 
-bool Hub::wants_graph() const {
-  return std::any_of(clients_.begin(), clients_.end(),
-                     [](const auto& one) { return one.second->hears_graph; });
-}
-
 bool Hub::wants_parameters() const {
   return std::any_of(clients_.begin(), clients_.end(), [](const auto& one) {
     return one.second->all_parameters || !one.second->parameters.empty();

@@ -9,6 +9,7 @@
 #include "listening_socket.hpp"
 #include "operator_server/parameter_value.hpp"
 #include "runtime/component_entry.hpp"
+#include "runtime/host_control.hpp"
 #include "runtime/middleware/idl_libraries.hpp"
 #include "server_settings.hpp"
 #include "web_server.hpp"
@@ -29,15 +30,15 @@ constexpr std::size_t longest_operator = 60;  ///< of a name, as the vehicle rep
 constexpr TopicInfo parameter_events{"/parameter_events", "event", Scope::host};
 
 /// Looks at the host's domain by a participant of its own, which is made at the first look.
-foxglove::LookAtHost look_at(const Bus& bus) {
-  return [&bus, graph = std::shared_ptr<HostGraph>()]() mutable {
+foxglove::LookAtHost look_at(Bus& bus) {
+  return [&host = bus.host_control(), graph = std::shared_ptr<HostGraph>()]() mutable {
     try {
-      if (!graph) graph = open_host_graph(bus);
+      if (!graph) graph = host.open_graph();
     } catch (const EnvironmentError&) {
       return foxglove::HostPicture{};  // the next look tries again
     }
-    if (!graph) return foxglove::stated_picture(bus.ros_namespace());
-    return foxglove::picture_of(graph->ends(), graph->nodes(), bus.ros_namespace());
+    if (!graph) return foxglove::stated_picture(host.ros_namespace());
+    return foxglove::picture_of(graph->ends(), graph->nodes(), host.ros_namespace());
   };
 }
 
@@ -78,7 +79,7 @@ OperatorServerComponent::~OperatorServerComponent() = default;
 /// Where nobody can look, as in simulated time, nothing is served. A port that is taken is tried
 /// again: what else runs here does not depend on it.
 void OperatorServerComponent::serve(Time now) {
-  if (port_ != 0 || !context().devices.get().has_spectators()) return;
+  if (port_ != 0 || !context().computer.get().has_spectators) return;
   if (now < next_try_) return wake_at(next_try_);
   auto listening = foxglove::open_listening_socket(params_.address, params_.port);
   if (listening.socket) {

@@ -5,7 +5,7 @@
 
 #include "foundation/printable.hpp"
 #include "operator_server/parameter_value.hpp"
-#include "runtime/middleware/parameter_service.hpp"
+#include "runtime/middleware/ros_services.hpp"
 
 namespace tocsin::foxglove {
 namespace {

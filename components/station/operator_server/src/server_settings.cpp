@@ -9,7 +9,7 @@
 #include "foundation/error.hpp"
 #include "foundation/printable.hpp"
 #include "foundation/read_file.hpp"
-#include "runtime/middleware/component_index.hpp"
+#include "runtime/middleware/component_library.hpp"
 
 namespace tocsin::foxglove {
 namespace {
@@ -23,6 +23,7 @@ std::string access_point_text(const Context& context,
                       " numbers are no place; x and y, or none");
   }
   if (!given.empty()) return shortest_text(given[0]) + " " + shortest_text(given[1]);
+  if (!context.computer.get().has_spectators) return {};
   const auto point = access_point_of(context.run_dir);
   return point ? shortest_text(point->x_m) + " " + shortest_text(point->y_m) : std::string();
 }
@@ -79,9 +80,8 @@ WebSettings web_settings(const Context& context, const OperatorServerComponent::
           : params.page;
   settings.bags = params.bags.empty() ? context.run_dir : params.bags;
   if (!context.run_dir.empty()) {
-    settings.tables = context.run_dir + "/" + to_string(context.role);
-    settings.what_if = {installed("decision_tools", "bin/tocsin-decide").string(),
-                        settings.tables + "/transmission_state.csv"};
+    settings.recorded = context.run_dir + "/" + to_string(context.role);
+    settings.decide = installed("decision_tools", "bin/tocsin-decide").string();
   }
   settings.certificate = params.certificate;
   settings.key = params.key;

@@ -5,6 +5,7 @@
 
 #include "idl_support/encode.hpp"
 #include "operator_server/message_json.hpp"
+#include "runtime/host_control.hpp"
 
 namespace tocsin::foxglove {
 namespace {
@@ -38,7 +39,7 @@ void ServiceCalls::call(const AskService& order, Hub& hub, Time now) {
   }
   auto caller = callers_.find(order.name);
   if (caller == callers_.end()) {
-    const std::string name = bus_name(order.name, owner_.bus().ros_namespace());
+    const std::string name = bus_name(order.name, owner_.bus().host_control().ros_namespace());
     auto client = std::make_unique<AnyClient>(
         owner_, ServiceEndpoint{name, seen.request, seen.response, owner_.node()});
     caller = callers_.emplace(order.name, Caller{seen, std::move(client)}).first;

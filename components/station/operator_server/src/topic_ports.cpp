@@ -13,6 +13,7 @@
 #include "idl_support/topic_registry.hpp"
 #include "idl_support/type_registry.hpp"
 #include "operator_server/message_json.hpp"
+#include "runtime/host_control.hpp"
 #include "tocsin_idl/topics.hpp"
 
 namespace tocsin::foxglove {
@@ -107,7 +108,7 @@ std::string TopicPorts::open(const ClientChannel& channel) {
 }
 
 std::string TopicPorts::open_new(const ClientChannel& channel, const TypeInfo& type) {
-  const std::string& ros_namespace = owner_.bus().ros_namespace();
+  const std::string& ros_namespace = owner_.bus().host_control().ros_namespace();
   const std::string name = bus_name(channel.topic, ros_namespace);
   for (const KnownTopic& known : known_topics()) {
     if (known.info.name == name && known.type != &type) {

@@ -121,11 +121,13 @@ class WebServer::Core final : public Home {
       return bag_answer(core.settings_.bags, wanted.path, request);
     }
     Answer operator()(const ServeTable& wanted) const {
-      return table_answer(core.settings_.tables, wanted.file, request);
+      return SlowResponse([&settings = core.settings_, topic = wanted.topic, asked = request] {
+        return table_answer(settings.recorded, topic, asked);
+      });
     }
     Answer operator()(const AskWhatIf& question) const {
       return SlowResponse([&self = core, query = question.query, asked = request] {
-        return what_if_answer(self.settings_.what_if, query, asked, self.ends_);
+        return what_if_answer(self.settings_, query, asked, self.ends_);
       });
     }
   };

@@ -13,20 +13,14 @@
 
 namespace tocsin::foxglove {
 
-/// How a recording is decided again.
-struct WhatIfTool {
-  std::string program = {};    ///< `tocsin-decide`; empty: it is not installed
-  std::string recording = {};  ///< of the run's decisions, CSV; empty: there is none
-};
-
 struct WebSettings {
   AccessRules access;
-  std::string page;         ///< folder of the page's files; empty: there is none
-  std::string bags = {};    ///< folder of the recordings; empty: there is none
-  std::string tables = {};  ///< folder of this host's recorder; empty: there is none
-  WhatIfTool what_if = {};
-  std::string certificate;  ///< PEM file with the chain; empty: no TLS
-  std::string key;          ///< PEM file
+  std::string page;           ///< folder of the page's files; empty: there is none
+  std::string bags = {};      ///< folder of the recordings; empty: there is none
+  std::string recorded = {};  ///< folder of this host's recorder; empty: there is none
+  std::string decide = {};    ///< program that decides a recording again; empty: not installed
+  std::string certificate;    ///< PEM file with the chain; empty: no TLS
+  std::string key;            ///< PEM file
   std::size_t most_connections = 64;
   std::size_t most_frame_bytes = std::size_t{1} << 20U;  ///< of a message from a client
   double ping_s = 5;      ///< a client that is silent for so long is asked, and closed after twice

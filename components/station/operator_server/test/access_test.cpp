@@ -157,8 +157,8 @@ TEST(AccessTest, RecordingsAndWhatIfAreOfTheRunAndNotOfThePage) {
                              "/bags/%2e%2e/x.mcap"}) {
     EXPECT_EQ(status_of(judge(rules, request_for(target))), 404U) << target;
   }
-  EXPECT_EQ(std::get<ServeTable>(judge(rules, request_for("/tables/location.csv"))).file,
-            "location.csv");
+  EXPECT_EQ(std::get<ServeTable>(judge(rules, request_for("/tables/location.csv"))).topic,
+            "location");
   for (const char* target : {"/tables/", "/tables/messages.csv", "/tables/../location.csv"}) {
     EXPECT_EQ(status_of(judge(rules, request_for(target))), 404U) << target;
   }

@@ -5,8 +5,8 @@
 
 #include "foundation/ros_names.hpp"
 #include "ros_idl/std_srvs.hpp"
-#include "runtime/middleware/parameter_service.hpp"
 #include "runtime/middleware/ros_parameters.hpp"
+#include "runtime/middleware/ros_services.hpp"
 #include "runtime/service_port.hpp"
 #include "served.hpp"
 #include "tocsin_idl/actions.hpp"
@@ -152,14 +152,6 @@ TEST_F(CallsTest, AServiceIsCalledInCdr) {
   EXPECT_EQ(client_->frames(3).front().bytes.substr(15),
             "\x00\x01\x00\x00\x01\x00\x00\x00\x07\x00\x00\x00"
             "docked\x00"s);
-}
-
-TEST_F(CallsTest, WhatIsNoRequestFails) {
-  call("json", R"({"date": true})");
-  ASSERT_TRUE(served_.until([&] { return !client_->heard("serviceCallFailure").empty(); }));
-  const json failure = client_->heard("serviceCallFailure").front();
-  EXPECT_EQ(failure.at("callId"), 77);
-  EXPECT_THAT(failure.at("message").get<std::string>(), HasSubstr("no field 'date'"));
 }
 
 TEST_F(CallsTest, ALyingClientsMissionsAreRefusedEachWithItsReason) {

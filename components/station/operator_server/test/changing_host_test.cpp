@@ -26,12 +26,6 @@ class ChangingHostTest : public ::testing::Test {
   std::unique_ptr<SocketClient> client_;
 };
 
-TEST_F(ChangingHostTest, ATopicThatComesIsToldToThoseWhoAreThere) {
-  EXPECT_FALSE(client_->channel("/location"));
-  picture_.topics.push_back(topic_of(topic::Location::info, type_info<topic::Location::Message>()));
-  EXPECT_TRUE(served_.until([&] { return client_->channel("/location").has_value(); }));
-}
-
 TEST_F(ChangingHostTest, ATopicThatGoesEndsItsSubscriptionsAndItsPort) {
   served_.subscribe(*client_, "/goal", 1);
   const auto reads = [&] {

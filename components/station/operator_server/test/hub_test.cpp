@@ -81,26 +81,6 @@ TEST_F(HubTest, OnlySubscribersGetAMessage) {
   EXPECT_TRUE(told(2).empty());
 }
 
-TEST_F(HubTest, EndsASubscription) {
-  subscribe(1, 7, 1);
-  sut_.on_message("/a", 5, bytes("one"));
-  (void)say(1, {{"op", "unsubscribe"}, {"subscriptionIds", {7}}});
-  sut_.on_message("/a", 6, bytes("two"));
-  EXPECT_TRUE(told(1).empty());
-  EXPECT_TRUE(sut_.heard().empty());
-  (void)say(1, {{"op", "unsubscribe"}, {"subscriptionIds", {7}}});
-  EXPECT_THAT(told(1), ElementsAre(HasSubstr("there is no subscription 7")));
-}
-
-TEST_F(HubTest, WrongSubscriptionsAreToldAndChangeNothing) {
-  subscribe(1, 7, 1);
-  subscribe(1, 7, 2);
-  subscribe(1, 8, 99);
-  EXPECT_THAT(told(1), ElementsAre(HasSubstr("subscription 7 is there already"),
-                                   HasSubstr("there is no channel 99")));
-  EXPECT_THAT(sut_.heard(), ElementsAre("/a"));
-}
-
 TEST_F(HubTest, ALateSubscriberGetsTheLastStateWhileAnotherHearsIt) {
   subscribe(1, 7, 2);
   sut_.on_message("/state", 5, bytes("last"));
@@ -125,20 +105,6 @@ TEST_F(HubTest, ALateSubscriberGetsTheLastStateOfEachWriter) {
   EXPECT_THAT(told(2), ElementsAre("data gcs 1", "data uxv 2"));
 }
 
-TEST_F(HubTest, TellsWhichChannelsComeAndGo) {
-  subscribe(1, 7, 1);
-  sut_.set_channels({channel("/state", true), channel("/new")});
-  EXPECT_THAT(told(1), ElementsAre(R"({"channelIds":[1],"op":"unadvertise"})", HasSubstr("/new")));
-  EXPECT_TRUE(sut_.heard().empty());
-  sut_.set_channels({channel("/state", true), channel("/new")});
-  EXPECT_TRUE(told(1).empty());
-  Channel other = channel("/new");
-  other.schema.name = "pkg/msg/Other";
-  sut_.set_channels({channel("/state", true), other});
-  EXPECT_THAT(told(1),
-              ElementsAre(R"({"channelIds":[3],"op":"unadvertise"})", HasSubstr("pkg/msg/Other")));
-}
-
 TEST_F(HubTest, ASlowClientGetsTheNewestAndIsToldWhatItMissed) {
   subscribe(1, 7, 1);
   for (int i = 0; i < 5; ++i) sut_.on_message("/a", 5, bytes(std::to_string(i)));
@@ -159,21 +125,6 @@ TEST_F(HubTest, AClientThatReadsNothingHasToGo) {
   sut_.remove_client(2);
   EXPECT_TRUE(sut_.overflown().empty());
   EXPECT_TRUE(sut_.take(2, all).empty());
-}
-
-TEST_F(HubTest, AClientPublishesOnWhatIsWritable) {
-  const auto opened = open(1, "/goal", "json");
-  ASSERT_EQ(opened.size(), 1U);
-  EXPECT_EQ(std::get<OpenTopic>(opened[0]).channel.topic, "/goal");
-  EXPECT_THAT(sut_.written(), ElementsAre("/goal"));
-  const auto written = publish(1, "{}");
-  ASSERT_EQ(written.size(), 1U);
-  EXPECT_EQ(std::get<WriteMessage>(written[0]).encoding, "json");
-  EXPECT_EQ(std::get<WriteMessage>(written[0]).payload, "{}");
-  (void)say(1, {{"op", "unadvertise"}, {"channelIds", {1}}});
-  EXPECT_TRUE(sut_.written().empty());
-  EXPECT_TRUE(publish(1, "{}").empty());
-  EXPECT_THAT(told(1), ElementsAre(HasSubstr("there is no channel 1 of this client")));
 }
 
 TEST_F(HubTest, RefusesWhatAClientMayNotPublish) {
@@ -206,18 +157,6 @@ TEST_F(HubTest, CallsOfServicesAreAnsweredToWhoAsked) {
   EXPECT_TRUE(sut_.on_frame(1, Frame::Kind::binary, "\x02" + request).empty());
   EXPECT_THAT(told(1),
               ElementsAre(HasSubstr("unadvertiseServices"), HasSubstr("serviceCallFailure")));
-}
-
-TEST_F(HubTest, AllClientsHearTheTime) {
-  sut_.add_client(2, 0);
-  (void)told(2);
-  sut_.tell_time(1);
-  sut_.tell_time(2);
-  for (const ClientId client : {1U, 2U}) {
-    const auto frames = sut_.take(client, all);
-    ASSERT_EQ(frames.size(), 1U) << "the newest one only";
-    EXPECT_EQ(frames[0].head, "\x02\x02\x00\x00\x00\x00\x00\x00\x00"s);
-  }
 }
 
 TEST_F(HubTest, AnswersToAClientThatHasGoneGoNowhere) {

@@ -23,24 +23,6 @@ json advertise_goal(const std::string& encoding) {
              {"schemaName", "tocsin_msgs/msg/Goal"}}}}};
 }
 
-TEST(OperatorServerTest, SaysWhatItIsAndWhichTopicsThereAre) {
-  Served sut;
-  const auto client = sut.client();
-  EXPECT_EQ(client->protocol(), "foxglove.sdk.v1");
-  const auto info = client->heard("serverInfo");
-  ASSERT_EQ(info.size(), 1U);
-  EXPECT_EQ(info[0].at("metadata").at("host"), "gcs");
-  EXPECT_THAT(info[0].at("capabilities"), Contains("clientPublish"));
-  ASSERT_TRUE(client->channel("/location"));
-  const auto advertised = client->heard("advertise");
-  for (const json& channel : advertised.front().at("channels")) {
-    if (channel.at("topic") != "/location") continue;
-    EXPECT_EQ(channel.at("schemaName"), "geometry_msgs/msg/PoseWithCovarianceStamped");
-    EXPECT_EQ(channel.at("schemaEncoding"), "ros2msg");
-    EXPECT_THAT(channel.at("schema").get<std::string>(), HasSubstr("MSG: geometry_msgs/Pose"));
-  }
-}
-
 TEST(OperatorServerTest, AMessageReachesItsSubscribersAsTheBytesOfItsWriter) {
   Served sut;
   const auto client = sut.client();
@@ -56,41 +38,6 @@ TEST(OperatorServerTest, AMessageReachesItsSubscribersAsTheBytesOfItsWriter) {
   EXPECT_EQ(frame.bytes.substr(12), std::string(wanted.begin(), wanted.end()));
   sut.settle(*other);
   EXPECT_TRUE(other->frames(1).empty());
-}
-
-TEST(OperatorServerTest, WhoSubscribesLateGetsTheLastStateAndNoOldSample) {
-  Served sut;
-  const auto first = sut.client();
-  sut.subscribe(*first, "/mission_status", 1);
-  sut.subscribe(*first, "/goal", 2);
-  sut.bus.publish<topic::MissionStatus>({});
-  sut.bus.publish<topic::Goal>({});
-  ASSERT_TRUE(sut.until([&] { return first->frames(1).size() == 2; }));
-  const auto second = sut.client();
-  sut.subscribe(*second, "/mission_status", 3);
-  sut.subscribe(*second, "/goal", 4);
-  ASSERT_TRUE(sut.until([&] { return !second->frames(1).empty(); }));
-  sut.settle(*second);
-  ASSERT_EQ(second->frames(1).size(), 1U);
-  EXPECT_EQ(second->frames(1).front().id, 3U);
-}
-
-TEST(OperatorServerTest, ReadsATopicOnlyWhileSomebodyHearsIt) {
-  Served sut;
-  const auto ports = [&] {
-    std::size_t count = 0;
-    for (const PortHealth& port : sut.sut->port_health()) count += port.topic == "goal" ? 1 : 0;
-    return count;
-  };
-  EXPECT_EQ(ports(), 0U);
-  auto client = sut.client();
-  const auto other = sut.client();
-  sut.subscribe(*client, "/goal", 1);
-  sut.subscribe(*other, "/goal", 1);
-  EXPECT_EQ(ports(), 1U);
-  client.reset();
-  other->say({{"op", "unsubscribe"}, {"subscriptionIds", {1}}});
-  EXPECT_TRUE(sut.until([&] { return ports() == 0; }));
 }
 
 TEST(OperatorServerTest, AGoalOfAClientIsPublished) {
@@ -109,21 +56,6 @@ TEST(OperatorServerTest, AGoalOfAClientIsPublished) {
     ASSERT_TRUE(sut.until([&] { return !(came = goals.take()).empty(); })) << encoding;
     EXPECT_EQ(came.front().id(), 42U);
   }
-}
-
-TEST(OperatorServerTest, BadMessagesOfAClientAreAnsweredAndNotPublished) {
-  Served sut;
-  SimReader<topic::Goal> goals(sut.bus);
-  const auto client = sut.client();
-  client->say(advertise_goal("json"));
-  client->say_bytes("\x01" + bytes_of(5) + R"({"ident": 42})");
-  EXPECT_TRUE(sut.until([&] { return client->was_told("/goal: there is no field 'ident'"); }));
-  client->say_bytes("\x01" + bytes_of(6) + "{}");
-  EXPECT_TRUE(sut.until([&] { return client->was_told("there is no channel 6"); }));
-  client->say_text("{");
-  EXPECT_TRUE(sut.until([&] { return client->was_told("is not JSON"); }));
-  EXPECT_TRUE(goals.take().empty());
-  EXPECT_TRUE(client->is_open());
 }
 
 }  // namespace

@@ -49,17 +49,6 @@ TEST_F(PageTest, ServesTheFilesOfAFolder) {
   EXPECT_EQ(answer.headers["Content-Encoding"], "gzip");
 }
 
-TEST_F(PageTest, NothingOutsideOfTheFolderIsServed) {
-  const Served sut(params_);
-  for (const char* target : {"/../secret.txt", "/assets/../../secret.txt", "/%2e%2e/secret.txt",
-                             "//etc/passwd", "/nothing.js", "/assets"}) {
-    ClientFacts facts = sut.facts();
-    facts.target = target;
-    EXPECT_EQ(fetch(facts).status, 404) << target;
-  }
-  EXPECT_EQ(fetch(sut.facts(), "POST").status, 405);
-}
-
 TEST_F(PageTest, WithoutAPageItSaysSoAndHowOthersConnect) {
   params_.page = "/no/such/folder";
   const Served sut(params_);

@@ -4,74 +4,30 @@
 
 #include <gmock/gmock.h>
 
+#include <utility>
+
+#include "bag/bag_writer.hpp"
+#include "idl_support/encode.hpp"
+#include "tocsin_idl/tocsin_msgs.hpp"
 #include "web_fixture.hpp"
 
 namespace tocsin::foxglove {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
-TEST_F(WebServerTest, SendsAndReceivesMessages) {
-  start();
-  websocket::stream<tcp::socket> client(connect());
-  client.set_option(websocket::stream_base::decorator([](websocket::request_type& request) {
-    request.set(http::field::sec_websocket_protocol, "foxglove.websocket.v1");
-  }));
-  client.handshake(host(), "/any/path");
-  const auto id = heard_.wait_for("opened");
-  ASSERT_TRUE(id);
-  client.write(asio::buffer(std::string("hello")));
-  EXPECT_TRUE(heard_.wait_for("received hello"));
-  client.write(asio::buffer(std::string("again")));
-  sut_->read_on(*id);
-  EXPECT_TRUE(heard_.wait_for("received again"));
-  const auto payload = std::make_shared<const std::vector<std::uint8_t>>(3, std::uint8_t{'x'});
-  sut_->send(*id, {{Frame::Kind::text, "one", nullptr}, {Frame::Kind::binary, "two ", payload}});
-  beast::flat_buffer buffer;
-  client.read(buffer);
-  EXPECT_TRUE(client.got_text());
-  EXPECT_EQ(beast::buffers_to_string(buffer.data()), "one");
-  buffer.clear();
-  client.read(buffer);
-  EXPECT_TRUE(client.got_binary());
-  EXPECT_EQ(beast::buffers_to_string(buffer.data()), "two xxx");
-  EXPECT_TRUE(heard_.wait_for("sent"));
-}
-
-TEST_F(WebServerTest, SaysWhyItClosesAClient) {
-  start();
-  websocket::stream<tcp::socket> client(connect());
-  client.set_option(websocket::stream_base::decorator([](websocket::request_type& request) {
-    request.set(http::field::sec_websocket_protocol, "foxglove.sdk.v1");
-  }));
-  client.handshake(host(), "/");
-  sut_->close(heard_.wait_for("opened").value_or(0), "it does not read");
-  beast::flat_buffer buffer;
-  boost::system::error_code error;
-  client.read(buffer, error);
-  EXPECT_EQ(error, websocket::error::closed);
-  EXPECT_EQ(std::string(client.reason().reason.c_str()), "it does not read");
-  EXPECT_TRUE(heard_.wait_for("closed"));
-}
-
-TEST_F(WebServerTest, AnswersSeveralRequestsOnOneConnection) {
-  (void)folder_.write("page/index.html", "page");
-  settings_.page = folder_.path("page");
-  start();
-  tcp::socket socket = connect();
-  beast::flat_buffer buffer;
-  for (int i = 0; i < 3; ++i) {
-    http::write(socket, request_for(host(), "/"));
-    http::response<http::string_body> response;
-    http::read(socket, buffer, response);
-    EXPECT_EQ(response.body(), "page");
-  }
-}
-
-TEST_F(WebServerTest, GivesTheTablesOfThisHostsRecorderAndNoOthers) {
-  settings_.tables =
-      std::filesystem::path(folder_.write("location.csv", "a,b\n1,2\n")).parent_path();
-  std::filesystem::create_symlink("/etc/passwd", settings_.tables + "/transmission_state.csv");
+TEST_F(WebServerTest, GivesTheTablesOfThisHostsRecorderWhileItRecords) {
+  settings_.recorded = folder_.path();
+  bag::BagWriter writer(folder_.path("bag"), {});
+  using State = tocsin_msgs::msg::TransmissionState;
+  const auto number = writer.add(bag::make_topic("rt/transmission_state", type_info<State>().name));
+  State state;
+  state.role("uxv");
+  const auto bytes = encode(type_info<State>(), &state);
+  (void)writer.write(number, {1, 2'000'000'000, 1'000'000'000, bytes.data(), bytes.size()});
+  (void)writer.flush();
   settings_.request_s = 10;
   start();
   tcp::socket socket = connect();
@@ -82,8 +38,9 @@ TEST_F(WebServerTest, GivesTheTablesOfThisHostsRecorderAndNoOthers) {
     http::read(socket, buffer, response);
     return response;
   };
-  EXPECT_EQ(answer("/tables/location.csv").body(), "a,b\n1,2\n");
-  EXPECT_EQ(answer("/tables/transmission_state.csv").body(), "");
+  EXPECT_THAT(answer("/tables/transmission_state.csv").body(),
+              AllOf(StartsWith("receive_s,send_s,"), HasSubstr("\n2.000000000,1.000000000,1,")));
+  EXPECT_EQ(answer("/tables/location.csv").body(), "") << "none was recorded";
 }
 
 TEST_F(WebServerTest, WhoAsksNothingIsClosed) {
@@ -100,21 +57,6 @@ TEST_F(WebServerTest, WhatIsNoHttpIsClosed) {
   tcp::socket socket = connect();
   asio::write(socket, asio::buffer(std::string("\x16\x03\x01 no request\r\n\r\n")));
   EXPECT_EQ(rest_of(socket), "");
-}
-
-TEST_F(WebServerTest, EndsWithConnectionsOpen) {
-  start();
-  tcp::socket socket = connect();
-  websocket::stream<tcp::socket> client(connect());
-  client.set_option(websocket::stream_base::decorator([](websocket::request_type& request) {
-    request.set(http::field::sec_websocket_protocol, "foxglove.sdk.v1");
-  }));
-  client.handshake(host(), "/");
-  sut_.reset();
-  beast::flat_buffer buffer;
-  boost::system::error_code error;
-  client.read(buffer, error);
-  EXPECT_TRUE(error);
 }
 
 TEST_F(WebServerTest, SpeaksTls) {
@@ -158,6 +100,50 @@ TEST_F(WebServerTest, ACertificateWithoutItsKeyIsAConfigError) {
   if (!make_certificate()) GTEST_SKIP() << "there is no openssl";
   settings_.key = settings_.certificate;
   EXPECT_THROW(start(), ConfigError);
+}
+
+/// A recording decided again by a tool of the test's own.
+class WhatIfAnswerTest : public WebServerTest {
+ protected:
+  WhatIfAnswerTest() {
+    (void)folder_.write("gcs/bag/bag_0.mcap", "");
+    settings_.recorded = folder_.path("gcs");
+  }
+  /// The answer of a server whose tool is this script; status and body.
+  std::pair<unsigned, std::string> ask(const std::string& script, const std::string& query) {
+    settings_.decide = folder_.write_program("decide", script);
+    start();
+    tcp::socket client(connect());
+    http::write(client, request_for(host(), ("/what_if?" + query).c_str()));
+    beast::flat_buffer buffer;
+    http::response<http::string_body> response;
+    http::read(client, buffer, response);
+    return {response.result_int(), response.body()};
+  }
+};
+
+TEST_F(WhatIfAnswerTest, IsWhatTheToolPrints) {
+  const auto [status, body] = ask("echo \"{\\\"rows\\\": [], \\\"said\\\": \\\"$6 $7 $8\\\"}\"",
+                                  "host=uxv&policy=tocp&alpha=3");
+  EXPECT_EQ(status, 200U);
+  EXPECT_EQ(body, R"({"rows":[],"said":"--policy tocp --set"})");
+}
+
+TEST_F(WhatIfAnswerTest, IsTheToolsReasonWhenItRefuses) {
+  const auto [status, body] = ask("echo 'tocsin decide: no such policy' >&2; exit 2", "host=uxv");
+  EXPECT_EQ(status, 400U);
+  EXPECT_THAT(body, HasSubstr("tocsin decide: no such policy"));
+}
+
+TEST_F(WhatIfAnswerTest, AToolThatStillRunsEndsWithTheServer) {
+  settings_.decide = folder_.write_program("decide", "sleep 600");
+  start();
+  tcp::socket client(connect());
+  http::write(client, request_for(host(), "/what_if?host=uxv"));
+  tcp::socket other(connect());
+  http::write(other, request_for(host(), "/"));
+  EXPECT_THAT(rest_of(other), HasSubstr("404")) << "others are served meanwhile";
+  sut_.reset();  // within the test's time
 }
 
 }  // namespace

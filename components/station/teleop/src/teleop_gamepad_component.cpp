@@ -13,10 +13,7 @@ constexpr int most_events = 256;  // in a tick: a broken pad must not hold it up
 }  // namespace
 
 TeleopGamepadComponent::TeleopGamepadComponent(Context& context, const Params& params)
-    : TeleopComponent(context, params.common, "gamepad"),
-      params_(params),
-      devices_(context.devices),
-      teleop_(params.pad) {}
+    : TeleopComponent(context, params.common, "gamepad"), params_(params), teleop_(params.pad) {}
 
 TeleopGamepadComponent::~TeleopGamepadComponent() { stop(); }
 
@@ -33,7 +30,7 @@ void TeleopGamepadComponent::tick(Time now) {
 void TeleopGamepadComponent::look_for_pad(Time now) {
   if (now < next_look_) return;
   next_look_ = now + seconds(params_.retry_s);
-  pad_ = devices_.open_gamepad(params_.device);
+  pad_ = context().devices().try_open<GamepadDevice>(params_.device).device;
   if (pad_) {
     log().info("gamepad: {}", pad_->name());
     teleop_.on_connect(pad_->axes());

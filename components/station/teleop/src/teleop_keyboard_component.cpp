@@ -20,7 +20,7 @@ constexpr std::size_t longest_hindrance = 120;  // [1] characters
 
 TeleopKeyboardComponent::TeleopKeyboardComponent(Context& context, const Params& params)
     : TeleopComponent(context, params.common, "keyboard"),
-      terminal_(context.devices.get().open_terminal()),
+      terminal_(context.devices().try_open<TerminalDevice>().device),
       teleop_(params.keys) {
   if (!terminal_) return;
   wake_on(terminal_->descriptor());

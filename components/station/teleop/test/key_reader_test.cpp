@@ -8,49 +8,44 @@
 namespace tocsin {
 namespace {
 
-std::vector<Key> keys_of(const std::string& bytes) {
+/// A letter for each key that is read: itself, ^ v > < of an arrow, ? of another key.
+std::string keys_of(const std::string& bytes) {
   KeyReader sut;
-  std::vector<Key> keys;
+  std::string keys;
   for (const char byte : bytes) {
-    if (const auto key = sut.on_byte(byte)) keys.push_back(*key);
+    const auto key = sut.on_byte(byte);
+    if (!key) continue;
+    switch (key->kind) {
+      case Key::Kind::character:
+        keys += key->character;
+        break;
+      case Key::Kind::up:
+        keys += '^';
+        break;
+      case Key::Kind::down:
+        keys += 'v';
+        break;
+      case Key::Kind::right:
+        keys += '>';
+        break;
+      case Key::Kind::left:
+        keys += '<';
+        break;
+      default:
+        keys += '?';
+    }
   }
   return keys;
 }
 
-TEST(KeyReader, ReadsLetters) {
-  const auto keys = keys_of("w ");
-  ASSERT_EQ(keys.size(), 2U);
-  EXPECT_EQ(keys[0].kind, Key::Kind::character);
-  EXPECT_EQ(keys[0].character, 'w');
-  EXPECT_EQ(keys[1].character, ' ');
-}
-
-TEST(KeyReader, ReadsArrowsOfBothModes) {
-  const auto keys = keys_of("\x1b[A\x1b[B\x1bOC\x1bOD");
-  ASSERT_EQ(keys.size(), 4U);
-  EXPECT_EQ(keys[0].kind, Key::Kind::up);
-  EXPECT_EQ(keys[1].kind, Key::Kind::down);
-  EXPECT_EQ(keys[2].kind, Key::Kind::right);
-  EXPECT_EQ(keys[3].kind, Key::Kind::left);
-}
-
-TEST(KeyReader, ReadsAnArrowWithAModifier) {
-  const auto keys = keys_of("\x1b[1;5Aw");
-  ASSERT_EQ(keys.size(), 2U);
-  EXPECT_EQ(keys[0].kind, Key::Kind::up);
-  EXPECT_EQ(keys[1].character, 'w');
-}
-
-TEST(KeyReader, TakesOtherSequencesAsOneKey) {
-  const auto keys = keys_of("\x1b[15~w");  // F5
-  ASSERT_EQ(keys.size(), 2U);
-  EXPECT_EQ(keys[0].kind, Key::Kind::other);
-}
-
-TEST(KeyReader, ReadsALetterAfterTheEscapeKey) {
-  const auto keys = keys_of("\x1b\x1bw");
-  ASSERT_EQ(keys.size(), 1U);
-  EXPECT_EQ(keys[0].character, 'w');
+TEST(KeyReader, ReadsLettersArrowsOfBothModesAndOtherKeysAsOneEach) {
+  const std::vector<std::pair<const char*, const char*>> cases{
+      {"w ", "w "},
+      {"\x1b[A\x1b[B\x1bOC\x1bOD", "^v><"},
+      {"\x1b[1;5Aw", "^w"},  // with a modifier
+      {"\x1b[15~w", "?w"},   // F5
+      {"\x1b\x1bw", "w"}};   // behind the escape key
+  for (const auto& [bytes, keys] : cases) EXPECT_EQ(keys_of(bytes), keys);
 }
 
 }  // namespace

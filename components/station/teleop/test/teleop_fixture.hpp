@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "devices/absent_devices.hpp"
+#include "devices/computer.hpp"
 #include "runtime/sim_bus.hpp"
 #include "teleop/teleop_component.hpp"
 
@@ -19,8 +19,8 @@ using Speeds = std::vector<double>;
 template <class Component>
 class TeleopFixture : public ::testing::Test {
  protected:
-  TeleopFixture(const char* name, Devices& devices)
-      : context_(Context(bus_, name, Role::gcs).with_devices(devices)),
+  TeleopFixture(const char* name, const Computer& computer)
+      : context_(Context(bus_, name, Role::gcs).with_computer(computer)),
         sut_(std::make_unique<Component>(context_, typename Component::Params{})) {}
 
   /// The speeds that were sent within `s`.

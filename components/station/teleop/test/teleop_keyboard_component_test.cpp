@@ -33,36 +33,25 @@ class FakeTerminal final : public TerminalDevice {
 };
 
 /// A computer at whose terminal somebody types.
-class TypedDevices final : public AbsentDevices {
- public:
-  explicit TypedDevices(Typed& typed) : typed_(typed) {}
-  std::unique_ptr<TerminalDevice> open_terminal() override {
-    return std::make_unique<FakeTerminal>(typed_);
-  }
-
- private:
-  Typed& typed_;
-};
-
 struct WithTerminal {
+  WithTerminal() {
+    computer_.devices.add<TerminalDevice>([this](const std::string&, const Devices::Readable&) {
+      return std::make_unique<FakeTerminal>(typed_);
+    });
+  }
   Typed typed_;
-  TypedDevices devices_{typed_};
+  Computer computer_;
 };
 
 class TeleopKeyboardComponentTest : protected WithTerminal,
                                     public TeleopFixture<TeleopKeyboardComponent> {
  protected:
-  TeleopKeyboardComponentTest() : TeleopFixture("teleop_keyboard", devices_) {}
+  TeleopKeyboardComponentTest() : TeleopFixture("teleop_keyboard", computer_) {}
   Speeds type(const std::string& keys, double s = 0) {
     typed_.waiting = keys;
     return run(s);
   }
 };
-
-TEST_F(TeleopKeyboardComponentTest, SendsNothingWhileNothingIsPressed) {
-  EXPECT_TRUE(run(5).empty());
-  EXPECT_EQ(sut_->schedule().due(), never);
-}
 
 TEST_F(TeleopKeyboardComponentTest, SendsAPressAtOnceAndZeroWhenNoRepeatComes) {
   EXPECT_EQ(type("w", 0.05), (Speeds{0.3}));
@@ -121,8 +110,8 @@ TEST_F(TeleopKeyboardComponentTest, AsksForControlAndGivesOrKeepsIt) {
 }
 
 TEST_F(TeleopKeyboardComponentTest, LivesWithoutATerminal) {
-  AbsentDevices devices;
-  Context context = Context(bus_, "teleop_keyboard", Role::gcs).with_devices(devices);
+  const Computer computer;
+  Context context = Context(bus_, "teleop_keyboard", Role::gcs).with_computer(computer);
   sut_ = std::make_unique<TeleopKeyboardComponent>(context, TeleopKeyboardComponent::Params{});
   EXPECT_TRUE(run(1).empty());
   sut_.reset();

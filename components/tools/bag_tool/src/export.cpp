@@ -32,7 +32,6 @@ Exported export_csv(const RewriteOrder& order) {
       result.problems.push_back(std::move(problem));
     }
   });
-  tables.flush();
   result.lost = tables.lost();
   result.unknown.assign(unknown.begin(), unknown.end());
   return result;

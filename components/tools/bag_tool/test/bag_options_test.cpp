@@ -7,6 +7,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <sstream>
 
 #include "foundation/error.hpp"
 
@@ -40,27 +42,10 @@ std::string refusal_of(const std::vector<std::string>& words) {
 }
 
 TEST(BagOptions, RecordTakesNamesAndOptionsOfRos2Bag) {
-  const Options options = parsed({"record",
-                                  "/odom",
-                                  "tf",
-                                  "-e",
-                                  "scan",
-                                  "-x",
-                                  "image",
-                                  "-o",
-                                  "run",
-                                  "-b",
-                                  "1000000",
-                                  "-d",
-                                  "60",
-                                  "--include-hidden-topics",
-                                  "--no-discovery",
-                                  "-p",
-                                  "250",
-                                  "--max-cache-size",
-                                  "5000",
-                                  "-s",
-                                  "mcap"});
+  std::istringstream line(
+      "record /odom tf -e scan -x image -o run -b 1000000 -d 60 --include-hidden-topics "
+      "--no-discovery -p 250 --max-cache-size 5000 -s mcap");
+  const Options options = parsed({std::istream_iterator<std::string>(line), {}});
   const RecordOrder& record = options.record;
   EXPECT_THAT(record.topics.topics, ElementsAre("/odom", "tf"));
   EXPECT_EQ(record.topics.regex, "scan");

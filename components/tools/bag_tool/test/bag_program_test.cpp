@@ -229,16 +229,6 @@ TEST_F(BagProgram, AKillOfTheRecorderLeavesABagThatRecoverMends) {
   EXPECT_EQ(mended.about().count, safe);
 }
 
-TEST_F(BagProgram, RecordsTopicsByPatternAndSplits) {
-  record({"-e", "^/chat", "-d", "1"}, 150, SIGTERM, 0);
-  const bag::BagReader reader(run);
-  EXPECT_EQ(reader.topics().size(), 1U);
-  EXPECT_GE(reader.about().files.size(), 2U);
-  EXPECT_THAT(call({"info", run}).output,
-              AllOf(HasSubstr("Files:             run_0.mcap\n                   run_1.mcap\n"),
-                    HasSubstr("Topic: /chatter | Type: std_msgs/msg/String | Count: ")));
-}
-
 TEST_F(BagProgram, CopiesBags) {
   record({"-a"}, 10, SIGINT, 0);
   const std::string modes = folder.path("modes");

@@ -8,67 +8,33 @@
 namespace tocsin::bag_tool {
 namespace {
 
-TopicWishes wishes() { return {}; }
-
-TEST(TopicChoice, IsAllWhenNothingIsSaid) {
-  const TopicChoice sut(wishes());
-  EXPECT_TRUE(sut.contains("/odom"));
-  EXPECT_FALSE(sut.contains("/_hidden"));
-  EXPECT_FALSE(sut.contains("/a/_hidden/b"));
-}
-
-TEST(TopicChoice, IsTheNamesThatAreSaidWithOrWithoutASlash) {
+struct Case {
   TopicWishes said;
-  said.topics = {"odom", "/tf", "/_secret"};
-  const TopicChoice sut(said);
-  EXPECT_TRUE(sut.contains("/odom"));
-  EXPECT_TRUE(sut.contains("/tf"));
-  EXPECT_TRUE(sut.contains("/_secret")) << "asked for by its name";
-  EXPECT_FALSE(sut.contains("/uxv/odom"));
-  EXPECT_FALSE(sut.contains("/other"));
-}
+  std::vector<const char*> contained;
+  std::vector<const char*> left_out;
+};
 
-TEST(TopicChoice, IsTopicsThatContainAMatchOfTheExpression) {
-  TopicWishes said;
-  said.regex = "scan|^/uxv/.*odom$";
-  const TopicChoice sut(said);
-  EXPECT_TRUE(sut.contains("/laser_scan/raw"));
-  EXPECT_TRUE(sut.contains("/uxv/base/odom"));
-  EXPECT_FALSE(sut.contains("/gcs/odom"));
-}
-
-TEST(TopicChoice, NamesAndExpressionAddUp) {
-  TopicWishes said;
-  said.topics = {"goal"};
-  said.regex = "odom";
-  const TopicChoice sut(said);
-  EXPECT_TRUE(sut.contains("/goal"));
-  EXPECT_TRUE(sut.contains("/odom"));
-  EXPECT_FALSE(sut.contains("/battery"));
-}
-
-TEST(TopicChoice, AllOverridesTheExpression) {
-  TopicWishes said;
-  said.all = true;
-  said.regex = "odom";
-  EXPECT_TRUE(TopicChoice(said).contains("/battery"));
-}
-
-TEST(TopicChoice, LeavesOutWhatIsExcluded) {
-  TopicWishes said;
-  said.all = true;
-  said.exclude_regex = "image";
-  said.exclude_topics = {"rosout"};
-  const TopicChoice sut(said);
-  EXPECT_TRUE(sut.contains("/odom"));
-  EXPECT_FALSE(sut.contains("/camera/image/compressed"));
-  EXPECT_FALSE(sut.contains("/rosout"));
-}
-
-TEST(TopicChoice, ShowsHiddenTopicsWhenAsked) {
-  TopicWishes said;
-  said.hidden = true;
-  EXPECT_TRUE(TopicChoice(said).contains("/_hidden"));
+TEST(TopicChoice, IsWhatNamesExpressionsAndExclusionsSayTogether) {
+  // {all, topics, regex, exclude_regex, exclude_topics, hidden}
+  const std::vector<Case> cases{
+      {{}, {"/odom"}, {"/_hidden", "/a/_hidden/b"}},
+      {{false, {"odom", "/tf", "/_secret"}, "", "", {}, false},
+       {"/odom", "/tf", "/_secret"},
+       {"/uxv/odom", "/other"}},
+      {{false, {}, "scan|^/uxv/.*odom$", "", {}, false},
+       {"/laser_scan/raw", "/uxv/base/odom"},
+       {"/gcs/odom"}},
+      {{false, {"goal"}, "odom", "", {}, false}, {"/goal", "/odom"}, {"/battery"}},
+      {{true, {}, "odom", "", {}, false}, {"/battery"}, {}},
+      {{true, {}, "", "image", {"rosout"}, false},
+       {"/odom"},
+       {"/camera/image/compressed", "/rosout"}},
+      {{false, {}, "", "", {}, true}, {"/_hidden"}, {}}};
+  for (const auto& [said, contained, left_out] : cases) {
+    const TopicChoice sut(said);
+    for (const char* topic : contained) EXPECT_TRUE(sut.contains(topic)) << topic;
+    for (const char* topic : left_out) EXPECT_FALSE(sut.contains(topic)) << topic;
+  }
 }
 
 TEST(TopicChoice, RefusesWhatIsNoExpression) {

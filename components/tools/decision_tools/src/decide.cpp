@@ -85,9 +85,6 @@ class Decider {
     policy_ = std::move(policy);
     deadline_.reset();
   }
-  [[nodiscard]] std::optional<decision::LearnedLaw> learned() const {
-    return policy_ ? policy_->learned() : std::nullopt;
-  }
   void take(std::size_t row) {
     const Time now{seconds(trace_.time_s[row])};
     const bool recorded = !trace_.recorded.empty();
@@ -131,7 +128,7 @@ bool equal(const RecordedDecision& recorded, const Evidence& evidence) {
 
 DecidedTrace decide_again(const QualityTrace& trace, const std::string& policy,
                           const PolicySettings& settings) {
-  DecidedTrace decided{trace, "", {}, settings, {}};
+  DecidedTrace decided{trace, "", {}, settings};
   Decider decider(trace, decided);
   for (std::size_t row = 0; row < trace.qni.size(); ++row) {
     const bool restarted = !trace.recorded.empty() && trace.recorded[row].restarted;
@@ -142,7 +139,6 @@ DecidedTrace decide_again(const QualityTrace& trace, const std::string& policy,
     }
     decider.take(row);
   }
-  decided.learned = decider.learned();
   return decided;
 }
 

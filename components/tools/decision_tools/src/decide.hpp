@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "decision/policy.hpp"
+#include "decision/design/costs.hpp"
 #include "policy_settings.hpp"
 #include "quality_trace.hpp"
 
@@ -23,7 +23,6 @@ struct DecidedTrace {
   std::string policy;
   std::vector<Step> steps;
   PolicySettings settings;
-  std::optional<decision::LearnedLaw> learned{};  ///< at the end; empty with laws `fixed`
 };
 
 /// Feeds the trace to the policy that the settings name; "oracle" as `policy` is the clairvoyant,

@@ -26,7 +26,8 @@ struct Request {
 };
 
 void declare(CLI::App& app, Request& request) {
-  app.add_option("TRACE", request.file, "recorded quality: CSV, or a bag")->required();
+  app.add_option("TRACE", request.file, "recorded quality: CSV, a bag, or a recorder's folder")
+      ->required();
   app.add_option("--policy", request.policy,
                  "none, threshold, tocp, tocp_dsp, ..., or oracle [the recorded run's]");
   app.add_option("--model", request.model, "model file as tocsin fit writes it");

@@ -9,8 +9,6 @@
 #include <sstream>
 
 #include "foundation/printable.hpp"
-#include "plot.hpp"
-#include "report/gnuplot.hpp"
 
 namespace tocsin::tools {
 namespace {
@@ -55,17 +53,6 @@ std::string changes_text(const DecidedTrace& decided) {
   return text.str();
 }
 
-std::string series(const DecidedTrace& decided) {
-  std::ostringstream text;
-  for (const Step& step : decided.steps) {
-    const Evidence& one = step.evidence;
-    const auto value = [](double x) { return std::isfinite(x) ? cell(x) : std::string("NaN"); };
-    text << step.time_s << ' ' << value(one.sample) << ' ' << value(one.statistic) << ' '
-         << value(one.threshold) << ' ' << (one.state == State::passive ? 100 : 0) << '\n';
-  }
-  return text.str();
-}
-
 /// Empty sets of samples have no mean.
 std::string mean_text(double mean) {
   return std::isnan(mean) ? "none" : fmt::format("{:.1f}", mean);
@@ -102,25 +89,6 @@ std::string comparison_text(const DecidedTrace& decided) {
         decided.trace.unrecorded);
   }
   return text;
-}
-
-std::string laws_text(const decision::LearnedLaw& law) {
-  std::string text = "laws: " + text_of(law);
-  if (law.applied > 0) text += fmt::format("; in force {}", text_of(law.in_force));
-  return text + "\n";
-}
-
-nlohmann::json laws_json(const decision::LearnedLaw& law) {
-  return {{"proposed", law.proposed},
-          {"good_mean", law.learned.mean},
-          {"good_sd", law.learned.sd},
-          {"in_force_mean", law.in_force.mean},
-          {"in_force_sd", law.in_force.sd},
-          {"evidence", law.evidence},
-          {"spread_evidence", law.spread_evidence},
-          {"effective_samples", law.effective_samples},
-          {"left_out_share", law.left_out_share},
-          {"applied", law.applied}};
 }
 
 nlohmann::json parameters_json(const PolicySettings& settings) {
@@ -162,7 +130,6 @@ std::string to_text(const DecidedTrace& decided) {
        << mean_text(s.mean_qni_active) << ", while passive " << mean_text(s.mean_qni_passive)
        << '\n';
   text << comparison_text(decided);
-  if (decided.learned) text << laws_text(*decided.learned);
   if (s.has_truth) {
     text << "cost " << s.cost << ", clairvoyant " << s.oracle_cost << ", regret "
          << s.cost - s.oracle_cost << '\n';
@@ -190,7 +157,6 @@ nlohmann::json to_json(const DecidedTrace& decided, bool rows) {
                      {"mean_qni_passive", number(s.mean_qni_passive)},
                      {rows ? "rows" : "changes", changes}};
   add_recording(decided, out);
-  if (decided.learned) out["laws"] = laws_json(*decided.learned);
   if (s.has_truth) out["cost"] = s.cost;
   if (s.has_truth) out["oracle_cost"] = s.oracle_cost;
   return out;
@@ -213,20 +179,34 @@ std::string to_csv(const DecidedTrace& decided) {
   return text;
 }
 
-std::string decide_plot(const DecidedTrace& decided) {
-  std::string script = "$d << EOD\n" + series(decided) +
-                       "EOD\nset multiplot layout 2,1\nset lmargin 10\nset rmargin 16\n";
-  script += "set title " +
-            report::gnuplot_text("policy " + decided.policy + ", " + decided.trace.path) + "\n";
-  script += "set xlabel 's'\nset ylabel 'QNI'\nset yrange [0:100]\nset key outside\n";
-  script +=
-      "plot $d using 1:5 with filledcurves y1=0 fs solid 0.25 noborder lc rgb '#c04020' title "
-      "'passive', $d using 1:2 with lines lc rgb '#204060' title 'QNI'\n";
-  script += "unset title\nset ylabel 'statistic'\nset yrange [*:*]\n";
-  script +=
-      "plot $d using 1:3 with lines lc rgb '#204060' title 'statistic', $d using 1:4 with lines "
-      "lc rgb '#c04020' title 'threshold'\n";
-  return script + "unset multiplot\n";
+nlohmann::json decide_plot(const DecidedTrace& decided) {
+  const auto line = [&](const char* name, double (*value)(const Evidence&), const char* style) {
+    nlohmann::json one{{"name", name}, {"style", style}, {"x", nlohmann::json::array()}};
+    one["y"] = nlohmann::json::array();
+    for (const Step& step : decided.steps) {
+      one["x"].push_back(step.time_s);
+      one["y"].push_back(number(value(step.evidence)));
+    }
+    return one;
+  };
+  const auto silent = [](const Evidence& one) { return one.state == State::passive ? 100.0 : 0; };
+  const nlohmann::json quality{
+      {"y", "QNI"},
+      {"range", {0, 100}},
+      {"lines",
+       {line("passive", silent, "area"),
+        line(
+            "QNI", [](const Evidence& one) { return one.sample; }, "line")}}};
+  const nlohmann::json statistic{
+      {"y", "statistic"},
+      {"lines",
+       {line(
+            "statistic", [](const Evidence& one) { return one.statistic; }, "line"),
+        line(
+            "threshold", [](const Evidence& one) { return one.threshold; }, "line")}}};
+  return {{"title", "policy " + decided.policy + ", " + decided.trace.path},
+          {"x", "s"},
+          {"panels", {quality, statistic}}};
 }
 
 }  // namespace tocsin::tools

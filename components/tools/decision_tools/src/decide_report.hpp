@@ -13,7 +13,7 @@ namespace tocsin::tools {
 [[nodiscard]] nlohmann::json to_json(const DecidedTrace& decided, bool rows);
 /// CSV: a row per sample; column `state` where the truth is known.
 [[nodiscard]] std::string to_csv(const DecidedTrace& decided);
-/// gnuplot commands: quality with the pauses shaded, and statistic against threshold.
-[[nodiscard]] std::string decide_plot(const DecidedTrace& decided);
+/// For draw(): quality with the pauses shaded, and statistic against threshold.
+[[nodiscard]] nlohmann::json decide_plot(const DecidedTrace& decided);
 
 }  // namespace tocsin::tools

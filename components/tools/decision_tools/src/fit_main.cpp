@@ -4,8 +4,6 @@
 #include "command_line/command.hpp"
 #include "fit_report.hpp"
 #include "foundation/error.hpp"
-#include "foundation/joined.hpp"
-#include "joint_report.hpp"
 #include "model_file.hpp"
 #include "plot.hpp"
 #include "trace_options.hpp"
@@ -20,8 +18,6 @@ struct Request {
   std::string model;
   std::string plot;
   bool json = false;
-  bool joint = false;
-  std::vector<std::string> other_bad;
   TraceOptions trace;
 };
 
@@ -32,13 +28,6 @@ void declare(CLI::App& app, Request& request) {
   app.add_option("--model", request.model, "file to write: the laws as parameters of a policy");
   app.add_option("--plot", request.plot, "draw PREFIX.png and PREFIX.svg");
   app.add_flag("--json", request.json, "print JSON");
-  CLI::Option* joint = app.add_flag(
-      "--joint", request.joint,
-      "fit the joint index of all readings to recorded network_quality.csv, with its laws");
-  app.add_option("--other-bad", request.other_bad, "with --joint: another kind of bad network, CSV")
-      ->expected(1)
-      ->take_all()
-      ->needs(joint);
   declare_trace_options(app, request.trace);
 }
 
@@ -50,19 +39,7 @@ void check(const Request& request, const std::string& model) {
   }
 }
 
-int fit_all_readings(const Request& request) {
-  std::vector<std::string> bad{request.bad};
-  bad.insert(bad.end(), request.other_bad.begin(), request.other_bad.end());
-  const auto fitted = fit_joint_files(request.good, bad);
-  const std::string text =
-      joint_text(fitted, "fitted by tocsin fit --joint " + request.good + " " + joined(bad, " "));
-  if (!request.model.empty()) write_text(request.model, text);
-  std::printf("%s", text.c_str());
-  return 0;
-}
-
 int fit(const Request& request) {
-  if (request.joint) return fit_all_readings(request);
   const FitReport good = fit_trace(read_quality_trace(request.good, request.trace), request.family);
   const FitReport bad = fit_trace(read_quality_trace(request.bad, request.trace), request.family);
   const std::string text = model_text(good.chosen, bad.chosen,

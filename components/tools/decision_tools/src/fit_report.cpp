@@ -5,13 +5,10 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
-#include <sstream>
 
 #include "foundation/error.hpp"
 #include "foundation/joined.hpp"
 #include "foundation/spelling.hpp"
-#include "plot.hpp"
-#include "report/gnuplot.hpp"
 
 namespace tocsin::tools {
 namespace {
@@ -19,7 +16,7 @@ namespace {
 using decision::Density;
 using decision::Fit;
 
-constexpr int bins = 40;
+constexpr std::size_t bins = 40;
 
 std::string printed(const char* format, ...) __attribute__((format(printf, 1, 2)));
 std::string printed(const char* format, ...) {
@@ -43,38 +40,37 @@ Density choose(const std::vector<Fit>& fits, const std::string& family) {
 }
 
 /// Share of the data per unit of quality, in bins over [0,100].
-std::string histogram(const FitReport& report) {
-  std::vector<double> count(bins, 0.0);
-  for (const double x : report.data.sorted) {
-    count[static_cast<std::size_t>(std::min(x / 100 * bins, bins - 1.0))] += 1;
+nlohmann::json histogram(const FitReport& report) {
+  constexpr double count = bins;
+  constexpr double width = 100 / count;
+  const double share = 1 / (width * static_cast<double>(report.data.sorted.size()));
+  std::vector<double> x(bins);
+  std::vector<double> y(bins, 0.0);
+  for (std::size_t i = 0; i < bins; ++i) x[i] = (static_cast<double>(i) + 0.5) * width;
+  for (const double value : report.data.sorted) {
+    y[static_cast<std::size_t>(std::min(value / 100 * count, count - 1))] += share;
   }
-  const double width = 100.0 / bins;
-  std::ostringstream text;
-  for (int i = 0; i < bins; ++i) {
-    text << (i + 0.5) * width << ' '
-         << count[static_cast<std::size_t>(i)] /
-                (width * static_cast<double>(report.data.sorted.size()))
-         << '\n';
-  }
-  return text.str();
+  const std::string n = ", n = " + std::to_string(report.data.sorted.size());
+  return {{"name", report.trace.path + n}, {"style", "bars"}, {"x", x}, {"y", y}};
 }
 
-std::string curve(const Density& law) {
-  std::ostringstream text;
+nlohmann::json curve(const Density& law) {
+  std::vector<double> all_x;
+  std::vector<double> y;
   for (double x = 0.25; x < 100; x += 0.25) {
     const double f = std::exp(law.log_density(x));
-    if (std::isfinite(f)) text << x << ' ' << f << '\n';
+    if (!std::isfinite(f)) continue;
+    all_x.push_back(x);
+    y.push_back(f);
   }
-  return text.str();
+  return {{"name", describe(law)}, {"x", all_x}, {"y", y}};
 }
 
-std::string half(const FitReport& report, const std::string& block, const std::string& title) {
-  return "set title " + report::gnuplot_text(title) + "\nplot $" + block +
-         "_data with boxes fs solid 0.4 lc rgb '#4878a8' title " +
-         report::gnuplot_text(report.trace.path +
-                              ", n = " + std::to_string(report.data.sorted.size())) +
-         ", $" + block + "_law with lines lw 3 lc rgb '#c04020' title " +
-         report::gnuplot_text(describe(report.chosen)) + "\n";
+nlohmann::json half(const FitReport& report, const char* title) {
+  return {{"title", title},
+          {"y", "density"},
+          {"range", {0, nullptr}},
+          {"lines", {histogram(report), curve(report.chosen)}}};
 }
 
 }  // namespace
@@ -142,17 +138,11 @@ nlohmann::json to_json(const FitReport& report) {
           {"fits", fits}};
 }
 
-std::string fit_plot(const FitReport& good, const FitReport& bad) {
-  std::string script;
-  script += "$good_data << EOD\n" + histogram(good) + "EOD\n";
-  script += "$good_law << EOD\n" + curve(good.chosen) + "EOD\n";
-  script += "$bad_data << EOD\n" + histogram(bad) + "EOD\n";
-  script += "$bad_law << EOD\n" + curve(bad.chosen) + "EOD\n";
-  script += "set multiplot layout 2,1\nset xrange [0:100]\nset yrange [0:*]\n";
-  script +=
-      "set xlabel 'QNI'\nset ylabel 'density'\nset key top left Left reverse\nset lmargin 10\n";
-  script += half(good, "good", "good network") + half(bad, "bad", "bad network");
-  return script + "unset multiplot\n";
+nlohmann::json fit_plot(const FitReport& good, const FitReport& bad) {
+  return {{"title", "Laws of the quality index"},
+          {"x", "QNI"},
+          {"range", {0, 100}},
+          {"panels", {half(good, "good network"), half(bad, "bad network")}}};
 }
 
 }  // namespace tocsin::tools

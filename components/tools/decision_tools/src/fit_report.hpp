@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "decision/fit.hpp"
+#include "decision/design/fit.hpp"
 #include "quality_trace.hpp"
 
 namespace tocsin::tools {
@@ -28,8 +28,8 @@ struct FitReport {
 [[nodiscard]] std::string to_text(const FitReport& report);
 [[nodiscard]] nlohmann::json to_json(const FitReport& report);
 
-/// gnuplot commands: histograms of both recordings against their chosen densities, as figures 27
+/// For draw(): histograms of both recordings against their chosen densities, as figures 27
 /// and 28 of the thesis.
-[[nodiscard]] std::string fit_plot(const FitReport& good, const FitReport& bad);
+[[nodiscard]] nlohmann::json fit_plot(const FitReport& good, const FitReport& bad);
 
 }  // namespace tocsin::tools

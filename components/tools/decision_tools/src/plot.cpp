@@ -2,10 +2,9 @@
 #include "plot.hpp"
 
 #include <filesystem>
-#include <utility>
 
 #include "foundation/error.hpp"
-#include "report/gnuplot.hpp"
+#include "report/draw.hpp"
 
 namespace tocsin::tools {
 namespace {
@@ -18,14 +17,9 @@ void check_folder(const std::string& prefix) {
 
 }  // namespace
 
-void draw(const std::string& script, const std::string& prefix) {
+void draw(const nlohmann::json& picture, const std::string& prefix) {
   check_folder(prefix);
-  std::string all = "set encoding utf8\n";
-  for (const auto& [terminal, kind] : {std::pair("pngcairo", ".png"), std::pair("svg", ".svg")}) {
-    all += std::string("set terminal ") + terminal + " noenhanced size 1200,700\nset output " +
-           report::gnuplot_text(prefix + kind) + "\n" + script + "\nunset output\nreset\n";
-  }
-  report::run_gnuplot(all, "");
+  report::draw(picture.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace), prefix);
 }
 
 }  // namespace tocsin::tools

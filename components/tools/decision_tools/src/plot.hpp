@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 
 namespace tocsin::tools {
 
-/// Draws `script` (gnuplot commands without terminal and output, data inline as $blocks) to
-/// PREFIX.png and PREFIX.svg. Throws EnvironmentError when gnuplot is missing or fails.
-void draw(const std::string& script, const std::string& prefix);
+/// Draws a picture, as report::draw takes it, to PREFIX.png and PREFIX.svg. Throws ConfigError when
+/// the folder is not there, else as report::draw.
+void draw(const nlohmann::json& picture, const std::string& prefix);
 
 }  // namespace tocsin::tools

@@ -9,6 +9,7 @@
 #include "foundation/joined.hpp"
 #include "foundation/parameters.hpp"
 #include "foundation/printable.hpp"
+#include "foundation/spelling.hpp"
 #include "foundation/yaml_file.hpp"
 
 namespace tocsin::tools {
@@ -53,7 +54,6 @@ void forget_replaced(const YAML::Node& values, PolicyParams& params) {
   }
   if (names(values, "alpha")) params.false_alarm_samples = 0;
   if (names(values, "alpha") || names(values, "false_alarm_samples")) params.detector_threshold = 0;
-  if (names(values, "mild_alpha")) params.mild_share = 0;
   if (names(values, "reverse_alpha")) params.false_resume_samples = 0;
 }
 
@@ -87,6 +87,14 @@ YAML::Node setting_of(const std::vector<std::string>& all) {
   return values;
 }
 
+decision::PolicyKind policy_of(const std::string& name) {
+  if (const auto kind = value_of<decision::PolicyKind>(name)) return *kind;
+  const std::vector<std::string> known(decision::policy_names.begin(),
+                                       decision::policy_names.end());
+  throw ConfigError("--policy: '" + printable(name) + "' is not one of: " + joined(known, ", ") +
+                    ", oracle" + suggestion(known, name));
+}
+
 /// Adds what is from one source. A run's controller has parameters besides those of its policy.
 void add(const YAML::Node& values, const std::string& owner, const std::string& name,
          PolicySettings& settings) {
@@ -111,7 +119,7 @@ PolicySettings load_settings(const PolicyRequest& request) {
   }
   if (!request.set.empty()) add(setting_of(request.set), "policy", "--set", settings);
   if (!request.policy.empty()) {
-    if (request.policy != "oracle") settings.params.policy = request.policy;
+    if (request.policy != "oracle") settings.params.policy = policy_of(request.policy);
     settings.sources.push_back({"--policy", {{"policy", request.policy}}});
   }
   return settings;

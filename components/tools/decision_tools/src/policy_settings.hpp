@@ -32,8 +32,8 @@ struct PolicyRequest {
 };
 
 /// Settings by run, model, set and policy, each of which counts more than those before it. Where a
-/// key replaces another one (alpha by false_alarm_samples or detector_threshold, mild_alpha by
-/// mild_share, good_mean by good_family), the one of the later source holds. Throws ConfigError
+/// key replaces another one (alpha by false_alarm_samples or detector_threshold,
+/// good_mean by good_family), the one of the later source holds. Throws ConfigError
 /// naming the file or option, key and value.
 [[nodiscard]] PolicySettings load_settings(const PolicyRequest& request);
 

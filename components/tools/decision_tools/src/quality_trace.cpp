@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "csv_tables/bag_tables.hpp"
-#include "decision/quality_index.hpp"
 #include "foundation/csv_table.hpp"
 #include "foundation/error.hpp"
 #include "foundation/joined.hpp"
@@ -73,26 +72,16 @@ std::vector<double> times(const CsvTable& table, double period_s) {
   return time;
 }
 
-std::vector<decision::QualityMeasurement> measurements_of(const CsvTable& table) {
+/// Recorded network_quality: the index as the run weighed it, by default as the thesis.
+std::vector<double> from_network_quality(const CsvTable& table, const decision::QniParams& params) {
+  const decision::QniModel index(params);
   const auto per = table.numbers("per_percent");
   const auto signal = numbers_or_nan(table, "signal_dbm");
   const auto quality = numbers_or_nan(table, "quality_percent");
-  const auto retry = numbers_or_nan(table, "retry_percent");
-  const auto busy = numbers_or_nan(table, "busy_percent");
-  const auto rtt = numbers_or_nan(table, "rtt_mean_ms");
-  std::vector<decision::QualityMeasurement> all;
-  for (std::size_t i = 0; i < table.rows(); ++i) {
-    all.push_back({per[i], signal[i], quality[i], retry[i], busy[i], rtt[i]});
-  }
-  return all;
-}
-
-/// Recorded network_quality: the index as the run weighed it, by default as the thesis.
-std::vector<double> from_network_quality(const CsvTable& table,
-                                         const decision::QualityIndexParams& params) {
-  const decision::QualityIndex index(params);
   std::vector<double> qni;
-  for (const auto& measured : measurements_of(table)) qni.push_back(index.evaluate(measured));
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    qni.push_back(index.evaluate(decision::qni_input(per[i], signal[i], quality[i])).value);
+  }
   return qni;
 }
 
@@ -151,7 +140,7 @@ void read_network_quality(const CsvTable& table, const TraceOptions& options, Qu
   trace.kind = "network quality";
   trace.controller = controller_of_run(table.path(), options.role);
   trace.qni = from_network_quality(
-      table, trace.controller ? trace.controller->quality() : decision::QualityIndexParams{});
+      table, trace.controller ? trace.controller->quality() : decision::QniParams{});
   trace.time_s = times(table, options.period_s);
 }
 
@@ -174,10 +163,11 @@ std::vector<bool> truth_in(const CsvTable& table) {
                     printable(joined(table.columns())));
 }
 
-/// Of a file, or of a topic of a bag. Throws ConfigError.
+/// Of a CSV file, or of a topic of a bag or of the bags of a recorder's folder. Throws ConfigError.
 CsvTable read_table(const std::string& path, const std::string& topic) {
-  if (!is_bag(path)) return CsvTable::load(path);
-  const BagTables bag({path}, [&topic](const std::string& one) { return one == topic; });
+  const auto bags = is_bag(path) ? std::vector{path} : recorded_bags(path);
+  if (bags.empty()) return CsvTable::load(path);
+  const BagTables bag(bags, [&topic](const std::string& one) { return one == topic; });
   if (bag.of(topic).empty()) {
     throw ConfigError(path + ": has no message of topic " + printable(topic) +
                       " of a type that is known here (--topic names another)");
@@ -193,10 +183,6 @@ std::vector<double> QualityTrace::measured() const {
     if (!std::isnan(x)) values.push_back(x);
   }
   return values;
-}
-
-std::vector<decision::QualityMeasurement> read_measurements(const std::string& path) {
-  return measurements_of(read_table(path, "network_quality"));
 }
 
 QualityTrace read_quality_trace(const std::string& path, const TraceOptions& options) {

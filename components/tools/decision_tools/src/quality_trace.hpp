@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "decision/quality_index.hpp"
+#include "decision/qni.hpp"
 #include "recorded_run.hpp"
 
 namespace tocsin::tools {
@@ -53,9 +53,5 @@ struct TraceOptions {
 /// line for everything that is wrong with the file; also for decisions of two roles when `options`
 /// name none.
 [[nodiscard]] QualityTrace read_quality_trace(const std::string& path, const TraceOptions& options);
-
-/// The rows of a recorded network_quality.csv, or of that topic of a bag; columns that it does not
-/// have are not told. Throws ConfigError with one line for everything that is wrong with the file.
-[[nodiscard]] std::vector<decision::QualityMeasurement> read_measurements(const std::string& path);
 
 }  // namespace tocsin::tools

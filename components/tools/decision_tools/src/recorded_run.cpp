@@ -67,7 +67,7 @@ bool decide_alike(const std::vector<Controller>& all, const std::string& file) {
   std::set<std::string> texts;
   for (const Controller& one : all) {
     texts.insert(resolved<decision::PolicyParams>(one, file) +
-                 resolved<decision::QualityIndexParams>(one, file));
+                 resolved<decision::QniParams>(one, file));
   }
   return texts.size() == 1;
 }
@@ -94,8 +94,8 @@ std::string joined_roles(const std::vector<Role>& roles) {
       roles, [](Role role) { return std::string(to_string(role)); }, " and ");
 }
 
-decision::QualityIndexParams ControllerParameters::quality() const {
-  decision::QualityIndexParams params;
+decision::QniParams ControllerParameters::quality() const {
+  decision::QniParams params;
   ParameterLoader loader(*values, "transmission_controller", file);
   params.visit(loader);
   return params;

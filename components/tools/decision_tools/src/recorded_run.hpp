@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "decision/quality_index.hpp"
+#include "decision/qni.hpp"
 #include "foundation/role.hpp"
 
 namespace YAML {
@@ -21,7 +21,7 @@ struct ControllerParameters {
   std::vector<Role> roles;                   ///< whose: of one, or of all that decide alike
   std::shared_ptr<const YAML::Node> values;  ///< a map; what is not in it had its default
   /// How the run computed its quality index. Throws ConfigError for a value that is not allowed.
-  [[nodiscard]] decision::QualityIndexParams quality() const;
+  [[nodiscard]] decision::QniParams quality() const;
 };
 
 /// Those of the run that a file was recorded in, from deployment.yaml in its folder, or the one

@@ -86,7 +86,7 @@ RecordingCalibration calibrate_on(const QualityTrace& recording, const Calibrati
   request.replicates = wish.replicates;
   request.paths = wish.paths;
   try {
-    const bool cusum = wish.params.detector == "cusum";
+    const bool cusum = wish.params.detector == decision::DetectorKind::cusum;
     return {recording.path, cusum ? "alpha" : "detector_threshold", period_s, wish.false_alarm_s,
             decision::calibrate(request)};
   } catch (const ConfigError& error) {

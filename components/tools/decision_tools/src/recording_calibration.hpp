@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "decision/calibration.hpp"
+#include "decision/design/calibration.hpp"
 #include "decision/policy_params.hpp"
 #include "quality_trace.hpp"
 

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
 #include <set>
 #include <sstream>
 
@@ -110,34 +109,21 @@ TEST(FitTrace, NamesAnUnknownFamilyAsItMayBeShown) {
   }
 }
 
-/// The points of the block that begins with `$name << EOD`.
-std::map<double, double> points(const std::string& script, const std::string& name) {
-  const std::string begin = "$" + name + " << EOD\n";
-  const auto at = script.find(begin);
-  std::map<double, double> found;
-  if (at == std::string::npos) return found;
-  std::istringstream lines(script.substr(at + begin.size()));
-  for (double x = 0, y = 0; lines >> x >> y;) found[x] = y;
-  return found;
-}
-
 TEST(FitPlot, HistogramAndDensityHaveTheAreaOne) {
   const FitReport good = fit_trace(normal_trace(70, 6, 400), "normal");
   const FitReport bad = fit_trace(normal_trace(30, 6, 400), "normal");
-  const std::string script = fit_plot(good, bad);
-  for (const char* which : {"good", "bad"}) {
-    SCOPED_TRACE(which);
-    const auto bars = points(script, std::string(which) + "_data");
+  const auto sut = fit_plot(good, bad);
+  for (const auto& panel : sut["panels"]) {
     double area = 0;
-    for (const auto& [x, y] : bars) area += y * 2.5;
-    EXPECT_EQ(bars.size(), 40U);
+    for (const double y : panel["lines"][0]["y"]) area += y * 2.5;
+    EXPECT_EQ(panel["lines"][0]["x"].size(), 40U);
     EXPECT_NEAR(area, 1, 1e-4);
     double mass = 0;
-    for (const auto& [x, y] : points(script, std::string(which) + "_law")) mass += y * 0.25;
+    for (const double y : panel["lines"][1]["y"]) mass += y * 0.25;
     EXPECT_NEAR(mass, 1, 1e-3);
   }
-  EXPECT_GT(points(script, "good_law").at(70), 10 * points(script, "bad_law").at(70))
-      << "each with its own law";
+  const auto at_70 = [&](int panel) { return sut["panels"][panel]["lines"][1]["y"][279]; };
+  EXPECT_GT(at_70(0).get<double>(), 10 * at_70(1).get<double>()) << "each with its own law";
 }
 
 TEST(FitPlot, TheBestAndTheWorstQualityAreInTheLastAndFirstBar) {
@@ -145,9 +131,9 @@ TEST(FitPlot, TheBestAndTheWorstQualityAreInTheLastAndFirstBar) {
   trace.qni[0] = 0;
   trace.qni[1] = trace.qni[2] = 100;
   const FitReport sut = fit_trace(trace, "normal");
-  const auto bars = points(fit_plot(sut, sut), "good_data");
-  EXPECT_NEAR(bars.begin()->second * 2.5 * 50, 1, 1e-4);
-  EXPECT_NEAR(bars.rbegin()->second * 2.5 * 50, 2, 1e-4);
+  const auto bars = fit_plot(sut, sut)["panels"][0]["lines"][0]["y"];
+  EXPECT_NEAR(bars.front().get<double>() * 2.5 * 50, 1, 1e-4);
+  EXPECT_NEAR(bars.back().get<double>() * 2.5 * 50, 2, 1e-4);
 }
 
 }  // namespace

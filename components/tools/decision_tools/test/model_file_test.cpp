@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "decision/fit.hpp"
+#include "decision/design/fit.hpp"
 #include "decision/policy_model.hpp"
 #include "foundation/error.hpp"
 #include "foundation/temporary_folder.hpp"

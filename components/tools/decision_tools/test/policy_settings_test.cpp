@@ -52,7 +52,7 @@ TEST(PolicySettings, LaterSourcesCountMore) {
   EXPECT_EQ(sut.params.bad_mean, 20);
   EXPECT_EQ(sut.params.good_mean, 70);
   EXPECT_EQ(sut.params.alpha, 3);
-  EXPECT_EQ(sut.params.policy, "tocp");
+  EXPECT_EQ(sut.params.policy, decision::PolicyKind::tocp);
   EXPECT_EQ(sut.sources.size(), 4U);
 }
 
@@ -82,14 +82,6 @@ TEST(PolicySettings, AThresholdOfAnEarlierDetectorGivesWayToAlphaAndToARunLength
   EXPECT_EQ(load_settings({run, "", {"false_alarm_samples=900"}, ""}).params.detector_threshold, 0);
   const auto both = load_settings({run, "", {"alpha=3", "detector_threshold=9"}, ""}).params;
   EXPECT_EQ(both.detector_threshold, 9);
-}
-
-TEST(PolicySettings, AMildThresholdReplacesTheShareOfAnEarlierSource) {
-  const auto run = run_with("{mild_share: 0.8, mild_mean: 70}");
-  const auto sut = load_settings({run, "", {"mild_alpha=5"}, ""}).params;
-  EXPECT_EQ(sut.mild_share, 0);
-  EXPECT_EQ(sut.mild_alpha, 5);
-  EXPECT_EQ(load_settings({run, "", {"mild_mean=65"}, ""}).params.mild_share, 0.8);
 }
 
 TEST(PolicySettings, ARunWhoseControllerNamesNoParameterHasTheDefaults) {
@@ -123,7 +115,7 @@ TEST(PolicySettings, KnowWhetherSomebodyNamedThePolicy) {
   EXPECT_TRUE(names_policy(load_settings({run_with("{policy: none}"), "", {}, ""})));
   const PolicySettings oracle = load_settings({{}, "", {}, "oracle"});
   EXPECT_TRUE(names_policy(oracle));
-  EXPECT_EQ(oracle.params.policy, "none") << "it is no policy of a vehicle";
+  EXPECT_EQ(oracle.params.policy, decision::PolicyKind::none) << "it is no policy of a vehicle";
 }
 
 TEST(PolicySettings, NameAllTheirSourcesForAnErrorAcrossThem) {

@@ -72,18 +72,18 @@ TEST_F(Programs, PrintJson) {
 }
 
 TEST_F(Programs, DrawPngAndSvg) {
-  if (std::system("command -v gnuplot >/dev/null") != 0) GTEST_SKIP() << "no gnuplot here";
-  ASSERT_EQ(run(FIT_PROGRAM " good.csv bad.csv --plot fit"), 0) << error;
-  ASSERT_EQ(run(DECIDE_PROGRAM " trace.csv --policy tocp --plot decisions"), 0) << error;
+  const std::string path = "env PATH=" TOCSIN_REPOSITORY "/components/tools/report/src:$PATH ";
+  ASSERT_EQ(run(path + FIT_PROGRAM " good.csv bad.csv --plot fit"), 0) << error;
+  ASSERT_EQ(run(path + DECIDE_PROGRAM " trace.csv --policy tocp --plot decisions"), 0) << error;
   for (const char* name : {"fit", "decisions"}) {
     EXPECT_EQ(folder.read(std::string(name) + ".png").substr(1, 3), "PNG");
     EXPECT_THAT(folder.read(std::string(name) + ".svg"), HasSubstr("</svg>"));
   }
 }
 
-TEST_F(Programs, SayInOneLineWhenGnuplotIsMissing) {
+TEST_F(Programs, SayInOneLineWhenNothingCanBeDrawn) {
   EXPECT_EQ(run("env PATH=/nonexistent " FIT_PROGRAM " good.csv bad.csv --plot fit"), 1);
-  EXPECT_THAT(error, HasSubstr("gnuplot"));
+  EXPECT_THAT(error, HasSubstr("nothing can be drawn: draw_panels is not installed"));
   EXPECT_EQ(std::count(error.begin(), error.end(), '\n'), 1) << error;
 }
 
@@ -128,28 +128,6 @@ TEST_F(Programs, FitRefusesARecordingWithHardlyAnySpreadAndLeavesTheOldModel) {
   expect_error(FIT_PROGRAM " still.csv bad.csv --family normal --model m.yaml",
                "still.csv (good), bad.csv (bad): policy.good_sd: 0.0005 is outside");
   EXPECT_EQ(folder.read("m.yaml"), "alpha: 3\n");
-}
-
-TEST_F(Programs, FitWritesTheJointIndexOfRecordedReadings) {
-  const auto readings = [this](const char* name, double rtt_ms, double signal_dbm) {
-    std::string text = "receive_s,per_percent,rtt_mean_ms,signal_dbm\n";
-    for (int i = 0; i < 60; ++i) {
-      text += std::to_string(i) + ",0," + std::to_string(rtt_ms + i % 3) + "," +
-              std::to_string(signal_dbm - i % 4) + "\n";
-    }
-    folder.write(name, text);
-  };
-  readings("well.csv", 5, -60);
-  readings("weak.csv", 5, -80);
-  readings("slow.csv", 90, -60);
-  const std::string fit = FIT_PROGRAM " --joint well.csv weak.csv";
-  ASSERT_EQ(run(fit + " --other-bad slow.csv --model joint.yaml"), 0) << error;
-  EXPECT_THAT(output, HasSubstr("quality_index: joint\njoint_center: ["));
-  EXPECT_EQ(folder.read("joint.yaml"), output);
-  expect_error(FIT_PROGRAM " --joint well.csv well.csv", "a kind of bad link in which no reading");
-  expect_error(FIT_PROGRAM " --joint well.csv bad.csv", "bad.csv: has no column 'per_percent'");
-  expect_error(FIT_PROGRAM " well.csv weak.csv --other-bad slow.csv",
-               "--other-bad requires --joint");
 }
 
 TEST_F(Programs, DecidePrintsItsTableOrItsJson) {

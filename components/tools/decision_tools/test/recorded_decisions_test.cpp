@@ -23,7 +23,7 @@ const std::string head =
 
 decision::PolicyParams tocp_dsp() {
   decision::PolicyParams params;
-  params.policy = "tocp_dsp";
+  params.policy = decision::PolicyKind::tocp_dsp;
   return params;
 }
 
@@ -131,21 +131,6 @@ TEST_F(RecordedDecisionsTest, WithOtherParametersNameTheFirstThatDiffers) {
   EXPECT_EQ(compare_with_recording(sut)->first_other, std::optional<std::size_t>(10));
   EXPECT_THAT(to_text(sut), HasSubstr("the first other one at 10.0 s: recorded passive, "
                                       "cusum_alarm; decided active, steady"));
-}
-
-TEST_F(RecordedDecisionsTest, OfAControllerThatLearnedAreDecidedAgainAsTheyWere) {
-  decision::PolicyParams params = tocp_dsp();
-  params.laws = "apply";
-  params.learn_memory_samples = 100;
-  Recorder run(params);
-  for (int i = 0; i < 3000; ++i) run.sample(i, i % 150 < 140 ? 66 + i % 7 : 35 + i % 5);
-  const std::vector<std::string> same{"laws=apply", "learn_memory_samples=100"};
-  const DecidedTrace sut = decide(run.text(), same);
-  EXPECT_EQ(compare_with_recording(sut)->same, 3000U);
-  ASSERT_TRUE(sut.learned);
-  EXPECT_GT(sut.learned->applied, 0U);
-  EXPECT_NEAR(sut.learned->in_force.mean, 69, 2);
-  EXPECT_FALSE(decide(run.text()).learned);
 }
 
 /// A pause whose samples stop, so that it ends at its deadline, 180 s after it began.

@@ -104,13 +104,9 @@ TEST_F(RecordedRunTest, WeighsRecordedNetworkQualityAsTheRunDid) {
   EXPECT_EQ(read_quality_trace(path, {}).qni, std::vector<double>{100});
 }
 
-TEST_F(RecordedRunTest, WeighsTheChannelAndTheScaleOfTheLinkQualityAsTheRunDid) {
-  const std::string text =
-      "receive_s,per_percent,signal_dbm,quality_percent,retry_percent,busy_percent\n"
-      "5,0,-99,50,0,25\n";
+TEST_F(RecordedRunTest, TakesTheScaleOfTheLinkQualityAsTheRunDid) {
+  const std::string text = "receive_s,per_percent,signal_dbm,quality_percent\n5,0,-99,50\n";
   const std::string path = folder.write("uxv/network_quality.csv", text);
-  deploy("quality_index: channel", "quality_index: channel");
-  EXPECT_EQ(read_quality_trace(path, {}).qni, std::vector<double>{40 + 0.3 * 75});
   deploy("quality_best: 35", "quality_best: 35");  // half of the 70 of /proc/net/wireless
   EXPECT_EQ(read_quality_trace(path, {}).qni, std::vector<double>{70});
 }

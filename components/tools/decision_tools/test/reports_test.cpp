@@ -2,52 +2,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "decide_report.hpp"
-#include "decision/link_model.hpp"
+#include "decide.hpp"
+#include "decision/design/link_model.hpp"
 #include "design.hpp"
-#include "fit_report.hpp"
 #include "foundation/error.hpp"
-#include "foundation/temporary_folder.hpp"
-#include "model_file.hpp"
 #include "traces.hpp"
 
 namespace tocsin::tools {
 namespace {
 
 using ::testing::HasSubstr;
-
-TEST(FitReport, ChoosesTheBestOrTheFamilyThatIsWanted) {
-  const QualityTrace trace = normal_trace(60, 8, 300);
-  const FitReport best = fit_trace(trace, "");
-  EXPECT_EQ(best.chosen.family(), best.fits.front().density.family());
-  EXPECT_EQ(fit_trace(trace, "gamma").chosen.family(), decision::Family::gamma);
-  EXPECT_THROW((void)fit_trace(trace, "cauchy"), ConfigError);
-}
-
-TEST(FitReport, TellsEveryFamilyInTextAndJson) {
-  const FitReport sut = fit_trace(normal_trace(60, 8, 300), "normal");
-  EXPECT_THAT(to_text(sut), HasSubstr("* normal"));
-  EXPECT_THAT(to_text(sut), HasSubstr("birnbaum_saunders"));
-  EXPECT_EQ(to_json(sut)["fits"].size(), 19U);
-  EXPECT_EQ(to_json(sut)["chosen"], "normal");
-}
-
-TEST(FitReport, PlotsHistogramsAgainstDensities) {
-  const FitReport sut = fit_trace(normal_trace(60, 8, 300), "normal");
-  const std::string script = fit_plot(sut, sut);
-  EXPECT_THAT(script, HasSubstr("$good_data << EOD"));
-  EXPECT_THAT(script, HasSubstr("$bad_law with lines"));
-  EXPECT_THAT(script, ::testing::Not(HasSubstr("inf")));
-}
-
-TEST(ModelFile, MakesAPolicy) {
-  const TemporaryFolder folder;
-  const decision::Density good(decision::Family::beta, {10.9, 2.66, 0});
-  const decision::Density bad(decision::Family::normal, {36.5, 7.25, 0});
-  const std::string path = folder.write("m.yaml", model_text(good, bad, "a test"));
-  const decision::PolicyParams sut = load_settings({{}, path, {}, ""}).params;
-  EXPECT_NO_THROW((void)decision::make_policy(sut));
-}
 
 TEST(DecideAgain, PausesInTheDip) {
   const DecidedTrace decided = decide_again(dip(), "", with_policy("tocp_reverse"));
@@ -59,15 +23,6 @@ TEST(DecideAgain, PausesInTheDip) {
   EXPECT_LT(sut.mean_qni_passive, 40);
   EXPECT_TRUE(sut.has_truth);
   EXPECT_GE(sut.cost, sut.oracle_cost);
-}
-
-TEST(DecideAgain, OracleCostsWhatTheClairvoyantCosts) {
-  const DecisionSummary sut = summarize(decide_again(dip(), "oracle", {}));
-  EXPECT_DOUBLE_EQ(sut.cost, sut.oracle_cost);
-}
-
-TEST(DecideAgain, OracleNeedsTheTruth) {
-  EXPECT_THROW((void)decide_again(normal_trace(80, 5, 10), "oracle", {}), ConfigError);
 }
 
 TEST(DecideAgain, EndsAPauseAtItsDeadlineBetweenTwoRows) {
@@ -83,31 +38,6 @@ TEST(DecideAgain, EndsAPauseAtItsDeadlineBetweenTwoRows) {
   EXPECT_EQ(sut.steps[3].evidence.reason, decision::Reason::cusum_alarm);
   EXPECT_EQ(summarize(sut).samples, 3U);
   EXPECT_EQ(summarize(sut).forced, 1U);
-}
-
-TEST(DecideReport, HasARowPerSampleAndTheChanges) {
-  const DecidedTrace sut = decide_again(dip(), "", with_policy("tocp"));
-  const std::string csv = to_csv(sut);
-  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 151);
-  EXPECT_THAT(csv, HasSubstr("50,30,0,cusum_alarm,"));
-  EXPECT_THAT(csv, HasSubstr(",age,state\n"));
-  EXPECT_THAT(to_text(sut), HasSubstr("cusum_alarm"));
-  EXPECT_EQ(to_json(sut, true)["rows"].size(), 150U);
-  EXPECT_EQ(to_json(sut, false)["changes"].size(), 4U);
-  EXPECT_THAT(decide_plot(sut), HasSubstr("$d << EOD"));
-}
-
-TEST(DecideReport, TellsWhatWasLearnedOfTheSite) {
-  const QualityTrace trace = normal_trace(70, 6, 10000);
-  const DecidedTrace fixed = decide_again(trace, "", with_policy("tocp"));
-  EXPECT_THAT(to_text(fixed), ::testing::Not(HasSubstr("laws:")));
-  EXPECT_FALSE(to_json(fixed, false).contains("laws"));
-  const auto apply = load_settings({{}, "", {"laws=apply"}, "tocp"});
-  const DecidedTrace sut = decide_again(trace, "", apply);
-  EXPECT_THAT(to_text(sut), HasSubstr("laws: proposes good_mean 70."));
-  EXPECT_THAT(to_text(sut), HasSubstr("; in force good_mean 7"));
-  EXPECT_TRUE(to_json(sut, false)["laws"]["proposed"]);
-  EXPECT_NEAR(to_json(sut, false)["laws"]["good_mean"], 70, 1);
 }
 
 DesignRequest request(double false_alarm_s) {
@@ -135,10 +65,6 @@ TEST(Design, TradesDelayForFewerFalseAlarms) {
     EXPECT_GT(sut.table[i].delay_s, sut.table[i - 1].delay_s);
   }
   EXPECT_GT(sut.shifts.back().delay_s, sut.shifts.front().delay_s);
-}
-
-TEST(Design, RejectsATimeThatNoThresholdGives) {
-  EXPECT_THROW((void)design(request(100)), ConfigError);
 }
 
 QualityTrace ar1_trace(double correlation, int n) {
@@ -188,7 +114,7 @@ RecordingCalibration calibrated(const DesignRequest& wanted) {
 
 TEST(Design, CalibratesTheDetectorThatIsChosen) {
   DesignRequest wanted = request(300);
-  wanted.params.detector = "focus";
+  wanted.params.detector = decision::DetectorKind::focus;
   wanted.recording = ar1_trace(0.5, 3000);
   const RecordingCalibration sut = calibrated(wanted);
   EXPECT_EQ(sut.parameter, "detector_threshold");

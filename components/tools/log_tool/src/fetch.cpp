@@ -42,7 +42,7 @@ std::uint64_t Fetch::sum(std::uint64_t (Progress::*count)() const) const {
 }
 
 std::uint64_t Fetch::found() const { return sum(&Progress::found); }
-std::uint64_t Fetch::given() const { return sum(&Progress::given); }
+std::uint64_t Fetch::delivered() const { return sum(&Progress::delivered); }
 std::uint64_t Fetch::gone() const { return sum(&Progress::gone); }
 
 std::string Fetch::news(Time now) {
@@ -51,7 +51,7 @@ std::string Fetch::news(Time now) {
     text = fmt::format("no word of the log for {} s",
                        std::chrono::duration_cast<std::chrono::seconds>(now - heard_).count());
   } else if (!progress_.empty()) {
-    text = fmt::format("{} of {} samples have crossed", given(), found());
+    text = fmt::format("{} of {} samples have crossed", delivered(), found());
   }
   if (text == std::exchange(told_, text)) return "";
   return text;

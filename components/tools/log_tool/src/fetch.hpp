@@ -25,7 +25,7 @@ class Fetch {
   [[nodiscard]] bool is_done() const;
   /// Samples that were found and given so far.
   [[nodiscard]] std::uint64_t found() const;
-  [[nodiscard]] std::uint64_t given() const;
+  [[nodiscard]] std::uint64_t delivered() const;
   /// Those that the log had no more.
   [[nodiscard]] std::uint64_t gone() const;
   /// For people, when it has changed since the last call; else empty.

@@ -18,13 +18,13 @@ class FetchTest : public ::testing::Test {
     return request;
   }
   static tocsin_msgs::msg::LinkState state(const char* word, std::uint64_t found,
-                                           std::uint64_t given, const char* role = "uxv",
+                                           std::uint64_t delivered, const char* role = "uxv",
                                            std::uint64_t id = 41) {
     tocsin_msgs::msg::LogFetch fetch;
     fetch.id(id);
     fetch.state(word);
     fetch.found(found);
-    fetch.given(given);
+    fetch.delivered(delivered);
     fetch.gone(1);
     tocsin_msgs::msg::LinkState state;
     state.role(role);
@@ -42,7 +42,7 @@ TEST_F(FetchTest, IsDoneWhenAllWhoKnowItSayThatItIs) {
   sut_.on_state(state("sending", 5, 1, "gcs"), t0);
   EXPECT_FALSE(sut_.is_done());
   EXPECT_EQ(sut_.found(), 8U);
-  EXPECT_EQ(sut_.given(), 4U);
+  EXPECT_EQ(sut_.delivered(), 4U);
   EXPECT_EQ(sut_.gone(), 2U);
   sut_.on_state(state("done", 5, 5, "gcs"), t0);
   EXPECT_TRUE(sut_.is_done());

@@ -16,7 +16,6 @@ enum class Form {
   word,     ///< our word in capitals, with the place's suffix
   seconds,  ///< <sec> and <nanosec>
   number,
-  flag,
   not_flag,  ///< the opposite of ours
   names,     ///< a child for each, called as the suffix says
   hex,       ///< bytes as dotted hexadecimal numbers in the child <value>

@@ -9,13 +9,10 @@
 
 #include "foundation/error.hpp"
 #include "foundation/spelling.hpp"
-#include "lint_flow.hpp"
 #include "runtime/middleware/qos_matching.hpp"
 
 namespace tocsin::qos_tool {
 namespace {
-
-constexpr int udp_and_ip_headers = 28;  // [byte] IPv4 without options
 
 using Findings = std::vector<Finding>;
 
@@ -81,13 +78,6 @@ void short_lease(const LintInput& input, const char* rule, Findings& found) {
         "dead; watch the age of samples instead, or make the lease longer",
         duration_text(profile.liveliness_lease_s), duration_text(input.outage_s));
   });
-  for (const Wire& wire : input.wires) {
-    if (wire.lease_s >= input.outage_s) continue;
-    found.push_back({rule, wire.whose,
-                     fmt::format("participants are forgotten after {}, outages are of {}: after "
-                                 "each, discovery starts again on a radio that is still weak",
-                                 duration_text(wire.lease_s), duration_text(input.outage_s))});
-  }
 }
 
 void slow_heartbeat(const LintInput& input, const char* rule, Findings& found) {
@@ -117,19 +107,6 @@ void foreign_clocks(const LintInput& input, const char* rule, Findings& found) {
   });
 }
 
-void large_fragments(const LintInput& input, const char* rule, Findings& found) {
-  for (const Wire& wire : input.wires) {
-    if (wire.message_bytes + udp_and_ip_headers <= input.mtu_bytes) continue;
-    found.push_back(
-        {rule, wire.whose,
-         fmt::format(
-             "messages of up to {} bytes on an MTU of {}: IP cuts them, one lost piece loses "
-             "them whole, and only the whole can be repaired; let RTPS cut, maxMessageSize "
-             "1400 (measured at 5 % loss: all of 60 kB delivered, half within 0.7 ms)",
-             wire.message_bytes, input.mtu_bytes)});
-  }
-}
-
 [[noreturn]] void refuse_profile(const LintInput& input, const std::string& name,
                                  const std::string& file) {
   std::vector<std::string> names;
@@ -147,8 +124,7 @@ const std::vector<Rule>& rules() {
   static const std::vector<Rule> all{
       {"reliable-stream", reliable_stream}, {"keeps-everything", keeps_everything},
       {"short-lease", short_lease},         {"slow-heartbeat", slow_heartbeat},
-      {"foreign-clocks", foreign_clocks},   {"large-fragments", large_fragments},
-      {"starving-flow", starving_flow},
+      {"foreign-clocks", foreign_clocks},
   };
   return all;
 }

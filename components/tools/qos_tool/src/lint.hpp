@@ -29,27 +29,17 @@ struct LintTopic {
   TrafficClass traffic_class = TrafficClass::normal;
 };
 
-/// What participants that stand on the radio do.
-struct Wire {
-  std::string whose;  ///< as a person reads it
-  int message_bytes;  ///< of the largest RTPS message in one datagram
-  double lease_s;     ///< of a participant
-};
-
 struct LintInput {
   std::map<std::string, QosProfile> profiles;
-  std::map<std::string, FlowController> flow_controllers;
   std::vector<LintTopic> topics;
-  std::vector<Wire> wires;
   double outage_s = 10;        ///< [s] the radio is away so long now and then
-  int mtu_bytes = 1500;        ///< [byte] of an IP packet
   double clock_offset_s = 60;  ///< [s] the clocks of two computers may differ so much
 };
 
 /// One trap that something is in.
 struct Finding {
   std::string rule;     ///< its name, for scripts
-  std::string subject;  ///< profile, topic or participant
+  std::string subject;  ///< profile or topic
   std::string reason;
 };
 

@@ -75,8 +75,6 @@ void declare_lint(Verbs& verbs, Options& options) {
       ->take_all();
   lint->add_option("--outage", options.outage_s, "[s] the radio is away so long now and then [10]")
       ->check(CLI::Range(0.0, 3600.0));
-  lint->add_option("--mtu", options.mtu_bytes, "[byte] of the radio's IP packets [1500]")
-      ->check(CLI::Range(576, 65'535));
   lint->add_flag("--synchronised-clocks", options.clocks_are_synchronised,
                  "the clocks of all computers are kept together (PTP, chrony)");
   may_be_json(*lint, options);
@@ -91,10 +89,8 @@ void declare_export(Verbs& verbs, Options& options) {
 }
 
 void declare_tune(Verbs& verbs, Options& options) {
-  CLI::App* const tune =
-      bare_verb(verbs, options, "tune",
-                "tries settings in simulation, ranks them, and checks the best on the real stack",
-                qos_verb::tune);
+  CLI::App* const tune = bare_verb(verbs, options, "tune",
+                                   "tries settings in simulation and ranks them", qos_verb::tune);
   need(*tune, "FILE", options.tune.file,
        "what to try; a bare name is also looked for among the shipped experiments");
   tune->add_option("--out", options.tune.out, "folder of the results [tuning/FILE]");

@@ -26,7 +26,6 @@ struct Options {
   bool direct = false;
   std::vector<std::string> streams;
   double outage_s = 10;
-  int mtu_bytes = 1500;
   bool clocks_are_synchronised = false;
   TuneOptions tune;
 };

@@ -12,7 +12,6 @@
 #include "matches.hpp"
 #include "profile_text.hpp"
 #include "running.hpp"
-#include "runtime/middleware/link_limits.hpp"
 #include "runtime/middleware/traffic_rules.hpp"
 #include "vendor_xml.hpp"
 
@@ -100,7 +99,6 @@ namespace {
 
 void complete(LintInput& input, const Options& options) {
   input.outage_s = options.outage_s;
-  input.mtu_bytes = options.mtu_bytes;
   if (options.clocks_are_synchronised) input.clock_offset_s = 0;
 }
 
@@ -110,8 +108,6 @@ LintInput own_input(const Options& options) {
   const std::string traffic = shipped(options.traffic, "traffic.yaml");
   LintInput input;
   input.profiles = profiles.all();
-  input.flow_controllers = profiles.flow_controllers();
-  input.wires.push_back({"link_router", radio_message_bytes, link_lease_s});
   std::map<std::string, TrafficRule> rules = TrafficRules(traffic, Role::uxv).all();
   rules.merge(std::map(TrafficRules(traffic, Role::gcs).all()));
   for (const TopicUse& use : known_uses()) {

@@ -9,10 +9,10 @@
 #include "foundation/error.hpp"
 #include "foundation/ros_names.hpp"
 #include "foundation/spelling.hpp"
-#include "runtime/middleware/composition_service.hpp"
 #include "runtime/middleware/container_states.hpp"
 #include "runtime/middleware/host_graph.hpp"
 #include "runtime/middleware/qos_change.hpp"
+#include "runtime/middleware/ros_services.hpp"
 #include "runtime/middleware/service_caller.hpp"
 
 namespace tocsin::qos_tool {

@@ -55,7 +55,6 @@ void write_value(XMLElement& leaf, const Place& place, const std::string& value)
     case Form::seconds:
       return write_seconds(leaf, seconds_of(value));
     case Form::number:
-    case Form::flag:
       return leaf.SetText(value.c_str());
     case Form::not_flag:
       return leaf.SetText(value == "true" ? "false" : "true");

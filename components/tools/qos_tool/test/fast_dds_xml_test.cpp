@@ -10,7 +10,7 @@
 #include <fastdds/dds/publisher/Publisher.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 
-#include "fast_dds/fast_dds_qos.hpp"
+#include "runtime/middleware/fast_dds_qos.hpp"
 #include "runtime/middleware/qos_profile.hpp"
 #include "vendor_xml.hpp"
 

@@ -133,51 +133,5 @@ TEST(Lint, ALifespanBetweenClocksThatDiffer) {
       << "our readers do not compare clocks";
 }
 
-TEST(Lint, WhatParticipantsDoOnTheNetwork) {
-  LintInput input;
-  input.wires.push_back({"w", 1472, 20});
-  EXPECT_THAT(rules_of(input), IsEmpty());
-  input.wires[0] = {"w", 1473, 9};
-  EXPECT_THAT(rules_of(input), ElementsAre("short-lease", "large-fragments"));
-}
-
-/// A command and a stream on one flow controller.
-LintInput shared_flow(const std::string& scheduler, int command_priority, int stream_priority) {
-  LintInput input;
-  input.flow_controllers["radio"] = {scheduler, 12'500, 0.01};
-  input.profiles["command"].flow_controller = "radio";
-  input.profiles["command"].priority = command_priority;
-  input.profiles["stream"].flow_controller = "radio";
-  input.profiles["stream"].priority = stream_priority;
-  input.topics.push_back({"picture", "stream", Way::routed, true});
-  input.topics.push_back({"order", "command", Way::routed, false});
-  return input;
-}
-
-TEST(Lint, AStreamBeforeACommandOnOneFlowController) {
-  EXPECT_THAT(rules_of(shared_flow("high_priority", -10, 10)), IsEmpty());
-  EXPECT_THAT(rules_of(shared_flow("high_priority", 10, 10)), ElementsAre("starving-flow"));
-  EXPECT_THAT(rules_of(shared_flow("high_priority", 10, -10)), ElementsAre("starving-flow"));
-  EXPECT_THAT(rules_of(shared_flow("fifo", -10, 10)), ElementsAre("starving-flow"));
-  LintInput unlimited = shared_flow("fifo", -10, 10);
-  unlimited.flow_controllers["radio"].max_bytes_per_period = 0;
-  EXPECT_THAT(rules_of(unlimited), IsEmpty());
-}
-
-TEST(Lint, MoreReservedThanThereIsAndALongPeriod) {
-  LintInput input = shared_flow("priority_with_reservation", -10, 10);
-  input.profiles["command"].bandwidth_reservation_percent = 60;
-  input.profiles["stream"].bandwidth_reservation_percent = 40;
-  EXPECT_THAT(rules_of(input), IsEmpty());
-  input.profiles["stream"].bandwidth_reservation_percent = 41;
-  ASSERT_EQ(lint(input).size(), 1U);
-  EXPECT_THAT(lint(input)[0].reason, HasSubstr("101 %"));
-  LintInput slow = shared_flow("high_priority", -10, 10);
-  slow.flow_controllers["radio"].period_s = 0.05;
-  EXPECT_THAT(rules_of(slow), IsEmpty());
-  slow.flow_controllers["radio"].period_s = 0.1;
-  EXPECT_THAT(rules_of(slow), ElementsAre("starving-flow"));
-}
-
 }  // namespace
 }  // namespace tocsin::qos_tool

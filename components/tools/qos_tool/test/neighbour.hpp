@@ -14,10 +14,11 @@
 
 #include "foundation/error.hpp"
 #include "ros_idl/std_msgs.hpp"
-#include "runtime/middleware/composition_service.hpp"
+#include "runtime/host_control.hpp"
 #include "runtime/middleware/container_states.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
 #include "runtime/middleware/qos_change.hpp"
+#include "runtime/middleware/ros_services.hpp"
 #include "tocsin_idl/topics.hpp"
 
 namespace tocsin::qos_tool {
@@ -62,7 +63,7 @@ class Neighbour : private ServerReceiver {
     return told_;
   }
   [[nodiscard]] int matched() const {
-    for (const EndpointHealth& one : bus_->health()) {
+    for (const EndpointHealth& one : bus_->host_control().health()) {
       if (one.topic == "chatter") return one.matched;
     }
     return 0;
@@ -113,7 +114,7 @@ class Neighbour : private ServerReceiver {
       told_.emplace_back(request->writers() ? "writers" : request->readers() ? "readers" : "none");
     }
     try {
-      response->ends(static_cast<std::uint32_t>(bus_->change_qos(
+      response->ends(static_cast<std::uint32_t>(bus_->host_control().change_qos(
           {request->topic(), request->writers(), request->readers(), request->settings()})));
       response->success(true);
     } catch (const ConfigError& error) {

@@ -47,7 +47,6 @@ TEST(QosOptions, WhatIsMissingOrUnknownIsRefused) {
                                              {"lint", "f.xml"},
                                              {"list", "sensor"},
                                              {"export", "--to", "rti"},
-                                             {"lint", "--mtu", "100"},
                                              {"lint", "--outage", "-1"},
                                              {"match", "a", "--domain", "300"}}) {
     EXPECT_TRUE(is_refused(words)) << ::testing::PrintToString(words);
@@ -56,15 +55,14 @@ TEST(QosOptions, WhatIsMissingOrUnknownIsRefused) {
 
 TEST(QosOptions, OptionsAreTaken) {
   const Options lint =
-      parse({"lint", "--direct", "--stream", "a", "--stream", "b", "--outage", "30", "--mtu",
-             "1400", "--synchronised-clocks", "--json", "--traffic", "t.yaml", "--file", "q.yaml"})
+      parse({"lint", "--direct", "--stream", "a", "--stream", "b", "--outage", "30",
+             "--synchronised-clocks", "--json", "--traffic", "t.yaml", "--file", "q.yaml"})
           .options;
   EXPECT_TRUE(lint.direct);
   EXPECT_TRUE(lint.json);
   EXPECT_TRUE(lint.clocks_are_synchronised);
   EXPECT_THAT(lint.streams, ElementsAre("a", "b"));
   EXPECT_EQ(lint.outage_s, 30);
-  EXPECT_EQ(lint.mtu_bytes, 1400);
   EXPECT_EQ(lint.traffic, "t.yaml");
   EXPECT_EQ(lint.file, "q.yaml");
   const Options set = parse({"set", "/odom", "deadline_s=1", "--domain", "7", "--spin-time", "0.5",

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program as a user runs it: on the shipped files, and beside a running container.
+// The program as a user runs it, where its page does not play it (test/system).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -21,33 +20,15 @@ Ended qos(std::vector<std::string> words) {
   return run_to_end(words);
 }
 
-TEST(QosProgram, TheShippedConfigurationIsInNoKnownTrap) {
-  const Ended lint = qos({"lint"});
-  EXPECT_EQ(lint.output, "no known trap\n");
-  EXPECT_EQ(lint.code, 0);
-}
-
 TEST(QosProgram, WithoutARouterTheSameProfilesAreInSomeAndTheExitCodeSaysSo) {
   const Ended lint = qos({"lint", "--direct"});
   EXPECT_THAT(lint.output, HasSubstr("foreign-clocks: topic goal (command): lifespan of 5 s"));
   EXPECT_EQ(lint.code, 1);
 }
 
-TEST(QosProgram, PagesOfTheShippedProfiles) {
-  EXPECT_THAT(qos({"list"}).output, HasSubstr("command: {lifespan_s: 5}\n  cmd_vel"));
+TEST(QosProgram, ExplainsEveryPolicy) {
   EXPECT_THAT(qos({"explain", "state"}).output,
               HasSubstr("durability transient_local: transient_local gives a late reader"));
-  EXPECT_THAT(qos({"diff", "sensor", "stream"}).output, HasSubstr("lifespan_s: .inf -> 1"));
-  EXPECT_THAT(qos({"show", "event", "--json"}).output, HasSubstr("\"profile\": \"event\""));
-}
-
-TEST(QosProgram, MatchesProfilesAndSaysNoByItsExitCode) {
-  const Ended yes = qos({"match", "state", "event"});
-  EXPECT_THAT(yes.output, HasSubstr("match\n"));
-  EXPECT_EQ(yes.code, 0);
-  const Ended no = qos({"match", "event", "state"});
-  EXPECT_THAT(no.output, HasSubstr("stopped by durability"));
-  EXPECT_EQ(no.code, 1);
 }
 
 TEST(QosProgram, ExportsForBothVendors) {
@@ -71,28 +52,6 @@ TEST(QosProgram, ScriptsGetJson) {
   EXPECT_EQ(json_of({"match", "event", "state"})[0]["stopped_by"][0], "durability");
   EXPECT_TRUE(json_of({"lint"}).empty());
   for (const auto& one : json_of({"lint", "--direct"})) EXPECT_EQ(one["rule"], "foreign-clocks");
-}
-
-TEST(QosProgram, ThresholdsOfALintAreTheUsers) {
-  EXPECT_THAT(qos({"lint", "--mtu", "576"}).output, HasSubstr("large-fragments: link_router"));
-  EXPECT_THAT(qos({"lint", "--outage", "600"}).output, HasSubstr("short-lease: link_router"));
-  EXPECT_EQ(qos({"lint", "--direct", "--synchronised-clocks"}).output, "no known trap\n");
-  const std::string path = ::testing::TempDir() + "qos_program_lint.yaml";
-  std::ofstream(path) << "extends: qos.yaml\ntelemetry: {liveliness_lease_s: 8}\n";
-  EXPECT_THAT(qos({"lint", "--file", path, "--direct", "--synchronised-clocks"}).output,
-              HasSubstr("short-lease: topic location (telemetry): liveliness lease of 8 s"));
-  EXPECT_EQ(
-      qos({"lint", "--file", path, "--direct", "--synchronised-clocks", "--outage", "5"}).code, 0);
-}
-
-TEST(QosProgram, StreamsOfALintAreProfilesOfItsFile) {
-  const std::string path = ::testing::TempDir() + "qos_program_streams.yaml";
-  std::ofstream(path) << "extends: qos.yaml\npictures: {reliability: reliable}\n";
-  EXPECT_THAT(qos({"lint", "--file", path, "--stream", "pictures"}).output,
-              HasSubstr("reliable-stream: topic of profile pictures (pictures)"));
-  const Ended unknown = qos({"lint", "--file", path, "--stream", "pictrues"});
-  EXPECT_THAT(unknown.output, HasSubstr("did you mean 'pictures'?"));
-  EXPECT_EQ(unknown.code, 2);
 }
 
 TEST(QosProgram, WhatIsWrongIsRefusedBeforeARunningSystemIsLookedFor) {

@@ -3,78 +3,26 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <iomanip>
-#include <string>
+#include <nlohmann/json.hpp>
 
-#include "report/gnuplot.hpp"
+#include "report/draw.hpp"
 #include "report/summary.hpp"
 
 namespace tocsin::report {
 namespace {
 
-namespace fs = std::filesystem;
+using nlohmann::json;
 
-void write_series(const Recording& recording, const fs::path& folder) {
-  std::ofstream qni(folder / "qni.dat");
-  for (const Decision& decision : recording.decisions) {
-    qni << decision.time_s - recording.begin_s << " " << decision.qni << "\n";
+/// A line over the seconds since the run began, of those of `points` that `value` gives.
+template <class Points, class Value>
+json line(const std::string& name, const Points& points, double begin_s, Value value) {
+  json x = json::array();
+  json y = json::array();
+  for (const auto& point : points) {
+    x.push_back(point.time_s - begin_s);
+    y.push_back(value(point));
   }
-  std::ofstream per(folder / "per.dat");
-  for (const Quality& quality : recording.qualities) {
-    per << quality.time_s - recording.begin_s << " " << quality.per_percent << "\n";
-  }
-}
-
-/// A block for each side, in the order of the map: time, capacity [kbit/s], backlog [ms].
-void write_routers(const Recording& recording, const fs::path& folder) {
-  std::ofstream link(folder / "link.dat");
-  for (const auto& [role, states] : recording.routers) {
-    for (const RouterState& state : states) {
-      link << state.time_s - recording.begin_s << " " << state.capacity_bytes_per_s * 8e-3 << " "
-           << state.backlog_s * 1e3 << "\n";
-    }
-    link << "\n\n";
-  }
-}
-
-/// A block of two columns for each class, in the order of the map.
-void write_traffic(const Recording& recording, const fs::path& folder) {
-  std::ofstream traffic(folder / "traffic.dat");
-  for (const auto& [link_class, arrivals] : recording.arrivals) {
-    const double bin_s = rate_bin_s(recording.begin_s, recording.end_s);
-    double middle_s = bin_s / 2;
-    for (const double rate : byte_rates(arrivals, recording.begin_s, recording.end_s)) {
-      traffic << middle_s << " " << rate * 8e-3 << "\n";
-      middle_s += bin_s;
-    }
-    traffic << "\n\n";
-  }
-}
-
-std::string pause_boxes(const Recording& recording) {
-  std::string text;
-  for (const Interval& pause : pauses_of(recording)) {
-    text += "set object rectangle from " + std::to_string(pause.begin_s - recording.begin_s) +
-            ", graph 0 to " + std::to_string(pause.end_s - recording.begin_s) +
-            ", graph 1 behind fillcolor rgb '#dddddd' fillstyle solid noborder\n";
-  }
-  return text;
-}
-
-/// One curve of link.dat, by the column of its values.
-std::string link_line(std::size_t index, int column, const char* axes, std::size_t colour,
-                      const std::string& title) {
-  return "'link.dat' index " + std::to_string(index) + " using 1:" + std::to_string(column) +
-         " axes " + axes + " with lines linewidth 1.5 linecolor " + gnuplot_colour(colour) +
-         " title " + gnuplot_text(title);
-}
-
-bool has_capacity(const std::vector<RouterState>& states) {
-  return std::any_of(states.begin(), states.end(), [](const RouterState& state) {
-    return std::isfinite(state.capacity_bytes_per_s);
-  });
+  return {{"name", name}, {"x", x}, {"y", y}};
 }
 
 /// [kbit/s] of all sides, sorted.
@@ -90,93 +38,75 @@ std::vector<double> capacities(const Recording& recording) {
   return all;
 }
 
-/// The scale of the capacity, which a few high estimates, as of a run's first packets, do not
-/// flatten: twice the 95th percentile where the highest is more. The label tells what is cut.
-std::string capacity_axis(const Recording& recording) {
+/// The capacity of the sides that measured it, as pictures let the vehicle do, and the backlog of
+/// both. A few high estimates, as of a run's first packets, do not flatten the scale: it ends at
+/// twice the 95th percentile where the highest is more, and the label says what is cut.
+json link_panel(const Recording& recording) {
+  json lines = json::array();
+  for (const auto& [role, states] : recording.routers) {
+    const std::string side = to_string(role);
+    lines.push_back(line(side + " capacity", states, recording.begin_s,
+                         [](const RouterState& one) { return one.capacity_bytes_per_s * 8e-3; }));
+    json backlog = line(side + " backlog", states, recording.begin_s,
+                        [](const RouterState& one) { return one.backlog_s * 1e3; });
+    backlog["right"] = true;
+    lines.push_back(backlog);
+  }
+  json panel{{"y", "capacity [kbit/s]"}, {"right", "backlog [ms]"}, {"range", {0, nullptr}}};
   const std::vector<double> sorted = capacities(recording);
-  std::string label = "capacity [kbit/s]";
-  std::string top = "*";
   if (!sorted.empty()) {
     const double shown = 2 * sorted[(sorted.size() - 1) * 95 / 100];
     if (shown > 0 && sorted.back() > shown) {
-      top = std::to_string(shown);
-      label += ", to " + std::to_string(std::llround(sorted.back()));
+      panel["range"] = {0, shown};
+      panel["y"] = "capacity [kbit/s], to " + std::to_string(std::llround(sorted.back()));
     }
   }
-  return "set ylabel " + gnuplot_text(label) + "\nset yrange [0:" + top + "]\n";
+  panel["lines"] = lines;
+  return panel;
 }
 
-/// The capacity of the sides that measured it, as pictures let the vehicle do, and the backlog of
-/// both; empty without routers.
-std::string link_panel(const Recording& recording) {
-  if (recording.routers.empty()) return "";
-  std::string curves;
-  std::size_t index = 0;
-  for (const auto& [role, states] : recording.routers) {
-    const std::string title = std::string(to_string(role)) + " capacity";
-    if (has_capacity(states))
-      curves += link_line(index, 2, "x1y1", index == 0 ? 0 : 3, title) + ", ";
-    ++index;
-  }
-  index = 0;
-  for (const auto& [role, states] : recording.routers) {
-    curves += (index > 0 ? ", " : "") +
-              link_line(index, 3, "x1y2", 1 + index, std::string(to_string(role)) + " backlog");
-    ++index;
-  }
-  return capacity_axis(recording) +
-         "set y2label 'backlog [ms]'\nset y2range [0:*]\nset y2tics\nset ytics nomirror\nplot " +
-         curves + "\nunset y2tics\nunset y2label\nset ytics mirror\n";
-}
-
-std::string traffic_lines(const Recording& recording) {
-  std::string text = "plot ";
-  std::size_t index = 0;
+json traffic_panel(const Recording& recording) {
+  const double bin_s = rate_bin_s(recording.begin_s, recording.end_s);
+  json lines = json::array();
   for (const auto& [link_class, arrivals] : recording.arrivals) {
-    if (index > 0) text += ", ";
-    text += "'traffic.dat' index " + std::to_string(index) +
-            " with lines linewidth 1.5 linecolor " + gnuplot_colour(index) + " title " +
-            gnuplot_text(to_string(link_class));
-    ++index;
+    json x = json::array();
+    json y = json::array();
+    for (const double rate : byte_rates(arrivals, recording.begin_s, recording.end_s)) {
+      x.push_back((static_cast<double>(x.size()) + 0.5) * bin_s);
+      y.push_back(rate * 8e-3);
+    }
+    lines.push_back({{"name", to_string(link_class)}, {"x", x}, {"y", y}});
   }
-  return index > 0 ? text + "\n" : "";
-}
-
-int panel_count(const Recording& recording) { return recording.routers.empty() ? 2 : 3; }
-
-std::string script(const Recording& recording) {
-  const std::string policy =
-      recording.decisions.empty() ? "" : ", policy " + recording.decisions.back().policy;
-  std::string panels =
-      "set multiplot layout " + std::to_string(panel_count(recording)) + ",1 title " +
-      gnuplot_text("Mission " + recording.mission.name + policy + " (grey: paused)") +
-      " noenhanced\n" + pause_boxes(recording) +
-      "set xrange [0:" + std::to_string(recording.end_s - recording.begin_s) +
-      "]\nset grid\nset lmargin 10\nset rmargin 28\nset key outside right\n"
-      "set yrange [0:100]\nset ylabel 'QNI, PER [%]'\n"
-      "plot 'qni.dat' with lines linewidth 1.5 linecolor " +
-      gnuplot_colour(0) + " title 'QNI', 'per.dat' with lines linewidth 1.5 linecolor " +
-      gnuplot_colour(1) + " title 'PER'\n" + link_panel(recording) +
-      "set ylabel 'received [kbit/s]'\nset xlabel 'time [s]'\n"
-      "set yrange [0.1:*]\nset logscale y\n" +
-      traffic_lines(recording) + "unset multiplot\nunset logscale y\nreset\n";
-  const std::string size = "1200," + std::to_string(400 * panel_count(recording));
-  return "set terminal pngcairo size " + size + "\nset output '../plot.png'\n" + panels +
-         "set terminal svg size " + size + " background '#ffffff'\nset output '../plot.svg'\n" +
-         panels;
+  return {{"y", "received [kbit/s]"}, {"range", {0.1, nullptr}}, {"log", true}, {"lines", lines}};
 }
 
 }  // namespace
 
-void draw_plot(const Recording& recording) {
-  const fs::path folder = fs::path(recording.folder) / "plot";
-  fs::create_directories(folder);
-  write_series(recording, folder);
-  write_routers(recording, folder);
-  write_traffic(recording, folder);
-  const std::string commands = script(recording);
-  std::ofstream(folder / "plot.gnuplot") << commands;
-  run_gnuplot(commands, folder.string());
+std::string plot_of(const Recording& recording) {
+  const std::string policy =
+      recording.decisions.empty() ? "" : ", policy " + recording.decisions.back().policy;
+  json spans = json::array();
+  for (const Interval& pause : pauses_of(recording)) {
+    spans.push_back({pause.begin_s - recording.begin_s, pause.end_s - recording.begin_s});
+  }
+  json panels = json::array();
+  panels.push_back(json{{"y", "QNI, PER [%]"},
+                        {"range", {0, 100}},
+                        {"lines",
+                         {line("QNI", recording.decisions, recording.begin_s,
+                               [](const Decision& one) { return one.qni; }),
+                          line("PER", recording.qualities, recording.begin_s,
+                               [](const Quality& one) { return one.per_percent; })}}});
+  if (!recording.routers.empty()) panels.push_back(link_panel(recording));
+  panels.push_back(traffic_panel(recording));
+  const json picture{{"title", "Mission " + recording.mission.name + policy + " (grey: paused)"},
+                     {"x", "time [s]"},
+                     {"range", {0, recording.end_s - recording.begin_s}},
+                     {"spans", spans},
+                     {"panels", panels}};
+  return picture.dump(-1, ' ', false, json::error_handler_t::replace);
 }
+
+void draw_plot(const Recording& recording) { draw(plot_of(recording), recording.folder + "/plot"); }
 
 }  // namespace tocsin::report

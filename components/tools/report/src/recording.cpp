@@ -162,8 +162,7 @@ void find_limits(Recording& recording) {
   }
   for (const Decision& decision : recording.decisions) widen(decision.time_s);
   if (begin_s > end_s) {
-    throw ConfigError(recording.folder +
-                      ": holds no recording (uxv/ and gcs/ messages.csv or bag)");
+    throw ConfigError(recording.folder + ": holds no recording (uxv/ and gcs/ bag)");
   }
   recording.begin_s = begin_s;
   recording.end_s = end_s;

@@ -11,20 +11,20 @@
 
 namespace tocsin::report {
 
-/// The tables of a run's recorders: their CSV files, or of a side that wrote none its bags.
+/// The tables of a run's recorders, of the bags of each side.
 class RunTables {
  public:
   explicit RunTables(std::string folder) : folder_(std::move(folder)) {}
 
   /// Empty when there is no recording of that side.
-  [[nodiscard]] CsvTable messages(Role role);
+  [[nodiscard]] CsvTable messages(Role role) { return CsvTable(bags_of(role).messages()); }
   /// The fields of a topic; empty when there are none.
-  [[nodiscard]] CsvTable of(Role role, const std::string& topic);
+  [[nodiscard]] CsvTable of(Role role, const std::string& topic) {
+    return CsvTable(bags_of(role).of(topic));
+  }
 
  private:
-  /// Null: the side has CSV files, or no bag.
-  const BagTables* bags_of(Role role);
-  [[nodiscard]] std::string side(Role role) const { return folder_ + "/" + to_string(role); }
+  const BagTables& bags_of(Role role);
 
   const std::string folder_;
   std::map<Role, std::optional<BagTables>> bags_;

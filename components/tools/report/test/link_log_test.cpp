@@ -24,7 +24,7 @@ const std::string second = R"({"elapsed_s":2.5,"mean_snr_db":null,"busy_share":1
                            "\n";
 
 TEST(LinkLog, AddsBothDirectionsUp) {
-  const ToyRun run;
+  ToyRun run;
   run.write("radio.jsonl", first);
   const auto sut = read_link_log(run.path("radio.jsonl"));
   ASSERT_THAT(sut, SizeIs(1));
@@ -34,7 +34,7 @@ TEST(LinkLog, AddsBothDirectionsUp) {
 }
 
 TEST(LinkLog, CountsBackFromTheLastChangeOfTheFile) {
-  const ToyRun run;
+  ToyRun run;
   run.write("radio.jsonl", first + second);
   const auto sut = read_link_log(run.path("radio.jsonl"));
   ASSERT_THAT(sut, SizeIs(2));
@@ -45,7 +45,7 @@ TEST(LinkLog, CountsBackFromTheLastChangeOfTheFile) {
 }
 
 TEST(LinkLog, LeavesOutALineThatWasCutOff) {
-  const ToyRun run;
+  ToyRun run;
   run.write("radio.jsonl", first + second.substr(0, 30));
   EXPECT_THAT(read_link_log(run.path("radio.jsonl")), SizeIs(1));
 }

@@ -1,53 +1,42 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is drawn: the data and the script that gnuplot gets.
+// What is drawn of a run.
 #include "report/plot.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
+#include <nlohmann/json.hpp>
 
-#include "foundation/error.hpp"
 #include "toy_run.hpp"
 
 namespace tocsin::report {
 namespace {
 
-using ::testing::AllOf;
+using nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using ::testing::StartsWith;
 
 class PlotTest : public ::testing::Test {
  protected:
-  /// With or without gnuplot on this computer.
-  void draw() {
-    try {
-      draw_plot(load_recording(run_.path()));
-    } catch (const EnvironmentError& error) {
-      EXPECT_THAT(error.what(), HasSubstr("gnuplot"));
-    }
-  }
-  [[nodiscard]] std::string text(const std::string& name) const {
-    return run_.read("plot/" + name);
-  }
+  [[nodiscard]] json plot() const { return json::parse(plot_of(load_recording(run_.path()))); }
+  [[nodiscard]] json lines(std::size_t panel) const { return plot()["panels"].at(panel)["lines"]; }
   ToyRun run_;
 };
 
 TEST_F(PlotTest, TimesAreSecondsSinceTheRunBegan) {
-  draw();
-  EXPECT_THAT(text("qni.dat"), StartsWith("0 90\n20 30\n30 70\n60 nan\n"));
-  EXPECT_EQ(text("per.dat"), "0 0\n20 40\n");
+  const json sut = lines(0);
+  EXPECT_EQ(sut[0]["x"], (json{0, 20, 30, 60}));
+  EXPECT_EQ(sut[0]["y"], (json{90, 30, 70, nullptr})) << "what was not measured is none";
+  EXPECT_EQ(sut[1]["y"], (json{0, 40}));
 }
 
-TEST_F(PlotTest, TrafficHasABlockForEachClassAndAPointForEachSecond) {
-  draw();
-  const std::string traffic = text("traffic.dat");
-  std::size_t blocks = 0;
-  for (std::size_t at = 0; (at = traffic.find("\n\n\n", at)) != std::string::npos; ++at) ++blocks;
-  EXPECT_EQ(blocks, 3U) << "uxv critical, uxv low, gcs high";
-  EXPECT_THAT(traffic, AllOf(HasSubstr("\n0.5 8\n"), HasSubstr("\n99.5 0\n")))
-      << "1000 bytes in the first second are 8 kbit/s";
+TEST_F(PlotTest, TrafficHasALineForEachClassAndAPointForEachSecond) {
+  const json sut = lines(1);
+  ASSERT_EQ(sut.size(), 4U) << "uxv critical and low, gcs critical and high";
+  EXPECT_EQ(sut[1]["name"], "uxv low");
+  EXPECT_EQ(sut[1]["x"][0], 0.5);
+  EXPECT_EQ(sut[1]["y"][0], 8) << "1000 bytes in the first second are 8 kbit/s";
+  EXPECT_EQ(sut[1]["x"].back(), 99.5);
 }
 
 const char* const link_head =
@@ -59,9 +48,14 @@ TEST_F(PlotTest, CapacityAndBacklogAreThoseThatEachSideRecordedOfItself) {
                                        "1002,1002,uxv,250000,0.3,[],1\n");
   run_.write("gcs/link_state.csv",
              std::string(link_head) + "1001,1001,uxv,9,9,[],1\n1003,1003,gcs,1000,0.001,[],0\n");
-  draw();
-  EXPECT_EQ(text("link.dat"), "1 nan 20\n2 2000 300\n\n\n3 nan 1\n\n\n")
-      << "uxv, gcs; each as its own side recorded it; kbit/s and ms; what was not measured is none";
+  const json sut = lines(1);
+  ASSERT_EQ(sut.size(), 4U);
+  EXPECT_EQ(sut[0]["name"], "uxv capacity");
+  EXPECT_EQ(sut[0]["y"], (json{nullptr, 2000.0})) << "kbit/s; what was not measured is none";
+  EXPECT_NEAR(sut[1]["y"][0].get<double>(), 20, 1e-3) << "ms";
+  EXPECT_NEAR(sut[1]["y"][1].get<double>(), 300, 1e-3);
+  EXPECT_EQ(sut[2]["y"], json::array({nullptr}));
+  EXPECT_EQ(sut[3]["x"], json::array({3.0}));
 }
 
 /// 100 s of router states of a vehicle that measures 2000 kbit/s, but `first` in the first second.
@@ -77,46 +71,23 @@ std::string link_states(int first_bytes_per_s) {
 
 TEST_F(PlotTest, OneEarlySampleDoesNotFlattenTheCapacity) {
   run_.write("uxv/link_state.csv", link_states(23'750'000));
-  draw();
-  EXPECT_THAT(text("plot.gnuplot"), HasSubstr("[0:4000.000000]"));
-}
-
-TEST_F(PlotTest, ACapacityThatVariesLittleIsDrawnWhole) {
+  EXPECT_EQ(plot()["panels"][1]["range"], (json{0, 4000.0}));
+  EXPECT_EQ(plot()["panels"][1]["y"], "capacity [kbit/s], to 190000");
   run_.write("uxv/link_state.csv", link_states(500'000));
-  draw();
-  EXPECT_THAT(text("plot.gnuplot"), Not(HasSubstr(", to ")));
-}
-
-TEST_F(PlotTest, ARouterOfTheStationAloneShowsItsBacklog) {
-  run_.write("gcs/link_state.csv", std::string(link_head) + "1003,1003,gcs,1000,nan,[],0\n");
-  draw();
-  EXPECT_EQ(text("link.dat"), "3 nan nan\n\n\n");
+  EXPECT_EQ(plot()["panels"][1]["range"], (json{0, nullptr})) << "varies little";
 }
 
 TEST_F(PlotTest, ARunWithoutRoutersHasNoSuchPanel) {
-  draw();
-  EXPECT_EQ(text("link.dat"), "");
-  EXPECT_THAT(text("plot.gnuplot"), Not(HasSubstr("backlog")));
+  EXPECT_EQ(plot()["panels"].size(), 2U);
+  EXPECT_THAT(plot().dump(), Not(HasSubstr("backlog")));
 }
 
-TEST_F(PlotTest, PausesAreBoxesAndTheLastOneEndsWithTheRun) {
-  draw();
-  EXPECT_THAT(text("plot.gnuplot"),
-              AllOf(HasSubstr("from 20.000000, graph 0 to 30.000000, graph 1"),
-                    HasSubstr("from 60.000000, graph 0 to 100.000000, graph 1")));
-}
-
-TEST_F(PlotTest, AMissionsNameIsTextAndNoCommand) {
-  std::ofstream(run_.path("gcs/mission_status.csv"), std::ios::app)
-      << "1101,1101,\"`touch made`'; system 'touch made'\",done,8,9,12,99.5\n";
-  draw();
-  EXPECT_FALSE(std::filesystem::exists(run_.path("plot/made")));
-  EXPECT_THAT(text("plot.gnuplot"), Not(HasSubstr("`")));
+TEST_F(PlotTest, PausesAreShadedAndTheLastOneEndsWithTheRun) {
+  EXPECT_EQ(plot()["spans"], (json{{20, 30}, {60, 100}}));
 }
 
 TEST_F(PlotTest, NumbersOfAPeerMayBeAnything) {
-  std::ofstream(run_.path("gcs/mission_status.csv"), std::ios::app)
-      << "1101,1101,m,done,4294967295,1e300,-7,nan\n";
+  run_.append("gcs/mission_status.csv", "1101,1101,m,done,4294967295,4e9,0,nan\n");
   const Recording recording = load_recording(run_.path());
   EXPECT_EQ(recording.mission.waypoint, 1'000'000'000);
   EXPECT_EQ(recording.mission.waypoints, 1'000'000'000);
@@ -124,10 +95,8 @@ TEST_F(PlotTest, NumbersOfAPeerMayBeAnything) {
 }
 
 TEST_F(PlotTest, AClockThatWasSetDuringTheRunIsDrawnAllTheSame) {
-  std::ofstream(run_.path("gcs/messages.csv"), std::ios::app)
-      << "1800000000,1800000000,camera/image,1,6,1000\n";
-  draw();
-  EXPECT_LT(text("traffic.dat").size(), 10'000'000U);
+  run_.append("gcs/messages.csv", "1800000000,1800000000,camera/image,1,6,1000\n");
+  EXPECT_LT(plot_of(load_recording(run_.path())).size(), 10'000'000U);
 }
 
 }  // namespace

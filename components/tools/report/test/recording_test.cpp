@@ -5,12 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 
-#include "bag/bag_writer.hpp"
 #include "foundation/error.hpp"
-#include "idl_support/encode.hpp"
-#include "tocsin_idl/tocsin_msgs.hpp"
 #include "toy_run.hpp"
 
 namespace tocsin::report {
@@ -31,7 +27,7 @@ TEST(LinkClass, IsNamedBySenderAndClassTheVehicleAndTheMostUrgentFirst) {
 }
 
 TEST(Recording, NamesAClassThatIsNone) {
-  const ToyRun run;
+  ToyRun run;
   run.write("traffic.yaml", "uxv:\n  urgent: {topics: [location]}\ngcs: {}\n");
   try {
     (void)load_recording(run.path());
@@ -43,7 +39,7 @@ TEST(Recording, NamesAClassThatIsNone) {
 }
 
 TEST(Recording, CountsWhatCrossedTheLinkByClass) {
-  const ToyRun run;
+  ToyRun run;
   const Recording sut = load_recording(run.path());
   EXPECT_THAT(sut.arrivals.at({Role::uxv, TrafficClass::low}), SizeIs(3));
   EXPECT_THAT(sut.arrivals.at({Role::gcs, TrafficClass::high}), SizeIs(2));
@@ -55,14 +51,14 @@ TEST(Recording, CountsWhatCrossedTheLinkByClass) {
 }
 
 TEST(Recording, LeavesOutWhatTheReceivingSideWroteItself) {
-  const ToyRun run;
+  ToyRun run;
   const Recording sut = load_recording(run.path());
   ASSERT_THAT(sut.arrivals.at({Role::uxv, TrafficClass::critical}), SizeIs(1));
   EXPECT_EQ(sut.arrivals.at({Role::uxv, TrafficClass::critical})[0].writer, "2");
 }
 
 TEST(Recording, KeepsTheVehiclesDecisionsOnly) {
-  const ToyRun run;
+  ToyRun run;
   const Recording sut = load_recording(run.path());
   ASSERT_THAT(sut.decisions, SizeIs(4));
   EXPECT_TRUE(sut.decisions[0].active);
@@ -72,7 +68,7 @@ TEST(Recording, KeepsTheVehiclesDecisionsOnly) {
 }
 
 TEST(Recording, ReadsQualityAndMission) {
-  const ToyRun run;
+  ToyRun run;
   const Recording sut = load_recording(run.path());
   ASSERT_THAT(sut.qualities, SizeIs(2));
   EXPECT_EQ(sut.qualities[1].per_percent, 40);
@@ -82,7 +78,7 @@ TEST(Recording, ReadsQualityAndMission) {
 }
 
 TEST(Recording, CountsWhatWasWrittenHeldBackOrNot) {
-  const ToyRun run;
+  ToyRun run;
   run.write("uxv/messages.csv",
             "receive_s,send_s,topic,writer,sequence,bytes\n"
             "1000,1000,camera/image,0,1,1000\n1001,1001,camera/image,0,2,1000\n"
@@ -94,13 +90,13 @@ TEST(Recording, CountsWhatWasWrittenHeldBackOrNot) {
 }
 
 TEST(Recording, ARoutersStateComesFromTheOtherSideWhenItsOwnHasNone) {
-  const ToyRun run;
+  ToyRun run;
   run.write("gcs/link_state.csv",
             "receive_s,send_s,role,capacity_bytes_per_s,backlog_s,capacity_measured\n"
-            "1001.5,1001,uxv,5000,0.25,1\n1002,nan,uxv,1,1,1\n1003,1003,uxv,5000,0.25,0\n");
+            "1001.5,1001,uxv,5000,0.25,1\n1003,1003,uxv,5000,0.25,0\n");
   const Recording sut = load_recording(run.path());
   ASSERT_EQ(sut.routers.size(), 1U) << "the station has no router";
-  ASSERT_THAT(sut.routers.at(Role::uxv), SizeIs(2)) << "a row without a time is left out";
+  ASSERT_THAT(sut.routers.at(Role::uxv), SizeIs(2));
   EXPECT_EQ(sut.routers.at(Role::uxv)[0].time_s, 1001);
   EXPECT_EQ(sut.routers.at(Role::uxv)[0].capacity_bytes_per_s, 5000);
   EXPECT_EQ(sut.routers.at(Role::uxv)[0].backlog_s, 0.25);
@@ -108,7 +104,7 @@ TEST(Recording, ARoutersStateComesFromTheOtherSideWhenItsOwnHasNone) {
 }
 
 TEST(Recording, WhatARouterOfNoRoleToldIsNobodys) {
-  const ToyRun run;
+  ToyRun run;
   run.write("gcs/link_state.csv",
             "receive_s,send_s,role,capacity_bytes_per_s,backlog_s\n1001,1001,boat,1,1\n"
             "1002,1002,gcs,2,2\n");
@@ -118,7 +114,7 @@ TEST(Recording, WhatARouterOfNoRoleToldIsNobodys) {
 }
 
 TEST(Recording, KnowsWhereTheVehicleWas) {
-  const ToyRun run;
+  ToyRun run;
   run.write("uxv/location.csv",
             "receive_s,send_s,pose.pose.position.x,pose.pose.position.y\n1000,1000,1.5,-2\n");
   const Recording sut = load_recording(run.path());
@@ -128,10 +124,10 @@ TEST(Recording, KnowsWhereTheVehicleWas) {
 }
 
 TEST(Recording, KeepsWhatWasFilledInApart) {
-  const ToyRun run;
-  std::ofstream(run.path("gcs/messages.csv"), std::ios::app)
-      << "1150.0,1002.0,camera/image/backfilled,1,3,1000\n1150,1002,other/backfilled,1,3,1000\n"
-         "1150,1002,/backfilled,1,3,1000\n";
+  ToyRun run;
+  run.append(
+      "gcs/messages.csv",
+      "1150.0,1002.0,camera/image/backfilled,1,3,1000\n1150,1002,other/backfilled,1,3,1000\n");
   const Recording sut = load_recording(run.path());
   const LinkClass low{Role::uxv, TrafficClass::low};
   EXPECT_THAT(sut.arrivals.at(low), SizeIs(3));
@@ -142,59 +138,15 @@ TEST(Recording, KeepsWhatWasFilledInApart) {
   EXPECT_EQ(sut.end_s, 1150);
 }
 
-/// What the vehicle said of its decisions, heard at the station: a gap after the first.
-void write_bag(const std::string& path) {
-  using State = tocsin_msgs::msg::TransmissionState;
-  bag::BagWriter writer(path, {});
-  const auto topic = writer.add(bag::make_topic("rt/transmission_state", type_info<State>().name));
-  for (const std::uint32_t sequence : {1U, 3U, 4U}) {
-    State state;
-    state.role("uxv");
-    state.active(sequence != 3);
-    state.qni(50);
-    const auto bytes = encode(type_info<State>(), &state);
-    const std::int64_t sent_ns = (1000 + sequence) * std::int64_t{1'000'000'000};
-    (void)writer.write(topic,
-                       {sequence, sent_ns + 500'000'000, sent_ns, bytes.data(), bytes.size(), 9});
-  }
-}
-
-TEST(Recording, IsReadFromBagsWhereThereIsNoCsv) {
-  const ToyRun run;
-  run.remove("uxv");
-  run.remove("gcs");
-  write_bag(run.path("gcs/bag"));
-  const Recording sut = load_recording(run.path());
-  const auto& arrivals = sut.arrivals.at({Role::uxv, TrafficClass::critical});
-  ASSERT_THAT(arrivals, SizeIs(3));
-  EXPECT_EQ(arrivals[1].sequence, 3U);
-  EXPECT_EQ(arrivals[1].writer, "9");
-  EXPECT_DOUBLE_EQ(arrivals[1].received_s - arrivals[1].sent_s, 0.5);
-  EXPECT_EQ(fates_of(arrivals).lost, 1U);
-  ASSERT_THAT(sut.decisions, SizeIs(3));
-  EXPECT_FALSE(sut.decisions[1].active);
-}
-
-TEST(Recording, ASideWithCsvIsReadFromItAndTheOtherFromItsBag) {
-  const ToyRun run;
-  write_bag(run.path("uxv/bag"));
-  const Recording sut = load_recording(run.path());
-  EXPECT_THAT(sut.decisions, SizeIs(4)) << "of uxv/transmission_state.csv";
-  run.remove("gcs");
-  write_bag(run.path("gcs/bag"));
-  EXPECT_THAT(load_recording(run.path()).arrivals.at({Role::uxv, TrafficClass::critical}),
-              SizeIs(3));
-}
-
 TEST(Recording, KnowsItsFirstAndLastTime) {
-  const ToyRun run;
+  ToyRun run;
   const Recording sut = load_recording(run.path());
   EXPECT_EQ(sut.begin_s, 1000);
   EXPECT_EQ(sut.end_s, 1100);
 }
 
 TEST(Recording, ReportsWhatOneSideRecorded) {
-  const ToyRun run;
+  ToyRun run;
   run.remove("uxv");
   const Recording sut = load_recording(run.path());
   EXPECT_THAT(sut.arrivals.at({Role::uxv, TrafficClass::low}), SizeIs(3));
@@ -206,7 +158,7 @@ TEST(Recording, RejectsAFolderWithoutARun) {
 }
 
 TEST(Recording, RejectsARunWithoutARecording) {
-  const ToyRun run;
+  ToyRun run;
   run.remove("uxv");
   run.remove("gcs");
   try {

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 
 #include "report/print.hpp"
@@ -18,7 +17,7 @@ namespace {
 using ::testing::HasSubstr;
 
 Summary toy_summary() {
-  const ToyRun run;
+  ToyRun run;
   return summarise(load_recording(run.path()));
 }
 
@@ -83,7 +82,7 @@ TEST(Summary, HasARowForEachTopicAndOneForTheGoals) {
 }
 
 TEST(Summary, TellsWhenTheLinkWasPoor) {
-  const ToyRun run;
+  ToyRun run;
   const auto sut = poor_intervals(load_recording(run.path()));
   ASSERT_EQ(sut.size(), 1U);
   EXPECT_EQ(sut[0].begin_s, 1020);
@@ -92,10 +91,10 @@ TEST(Summary, TellsWhenTheLinkWasPoor) {
 }
 
 TEST(Summary, CountsInPoorIntervalsOnlyWhatWasSentThere) {
-  const ToyRun run;
-  std::ofstream(run.path("gcs/messages.csv"), std::ios::app)
-      << "1021.25,1021.0,camera/image,1,20,1000\n1029.25,1029.0,camera/image,1,23,1000\n"
-         "1030.25,1030.0,camera/image,1,24,1000\n";
+  ToyRun run;
+  run.append("gcs/messages.csv",
+             "1021.25,1021.0,camera/image,1,20,1000\n1029.25,1029.0,camera/image,1,23,1000\n"
+             "1030.25,1030.0,camera/image,1,24,1000\n");
   const Summary summary = summarise(load_recording(run.path()));
   const Traffic& sut = row(summary.classes, "uxv low, poor");
   EXPECT_EQ(sut.received, 2U);
@@ -104,10 +103,10 @@ TEST(Summary, CountsInPoorIntervalsOnlyWhatWasSentThere) {
 }
 
 TEST(Summary, WhatWasFilledInIsNotLostAndShownApart) {
-  const ToyRun run;
-  std::ofstream(run.path("gcs/messages.csv"), std::ios::app)
-      << "1050.0,1002.0,camera/image/backfilled,1,3,1000\n"
-         "1050.0,1003.0,camera/image/backfilled,1,4,1000\n";
+  ToyRun run;
+  run.append("gcs/messages.csv",
+             "1050.0,1002.0,camera/image/backfilled,1,3,1000\n"
+             "1050.0,1003.0,camera/image/backfilled,1,4,1000\n");
   const Summary summary = summarise(load_recording(run.path()));
   for (const Traffic& sut :
        {row(summary.classes, "uxv low"), row(summary.topics, "uxv camera/image")}) {
@@ -122,11 +121,11 @@ TEST(Summary, WhatWasFilledInIsNotLostAndShownApart) {
 }
 
 TEST(Summary, WhatWasFilledInIsOfTheIntervalInWhichItWasSent) {
-  const ToyRun run;
-  std::ofstream(run.path("gcs/messages.csv"), std::ios::app)
-      << "1021.25,1021.0,camera/image,1,20,1000\n1023.25,1023.0,camera/image,1,22,1000\n"
-         "1090,1022,camera/image/backfilled,1,21,1000\n"
-         "1090,1050,camera/image/backfilled,1,40,1000\n";
+  ToyRun run;
+  run.append("gcs/messages.csv",
+             "1021.25,1021.0,camera/image,1,20,1000\n1023.25,1023.0,camera/image,1,22,1000\n"
+             "1090,1022,camera/image/backfilled,1,21,1000\n"
+             "1090,1050,camera/image/backfilled,1,40,1000\n");
   const Summary summary = summarise(load_recording(run.path()));
   const Traffic& sut = row(summary.classes, "uxv low, poor");
   EXPECT_EQ(sut.received, 2U);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "foundation/temporary_folder.hpp"
+#include "table_bag.hpp"
 
 namespace tocsin::report {
 
@@ -29,8 +30,7 @@ class ToyRun : public TemporaryFolder {
                                   "1005.0,1004.9,transmission_state,2,1,50\n"
                                   "1005.2,1005.1,transmission_state,3,1,50\n");
     write("gcs/transmission_state.csv",
-          "receive_s,send_s,sequence,role\n1005.0,1004.9,1,uxv\n"
-          "1005.2,1005.1,1,gcs\n");
+          "receive_s,send_s,role\n1005.0,1004.9,uxv\n1005.2,1005.1,gcs\n");
     write("gcs/mission_status.csv",
           "receive_s,send_s,mission,state,waypoint,waypoints,goals_sent,elapsed_s\n"
           "1001,1001,mission_a,running,0,9,1,0\n1100,1100,mission_a,done,8,9,12,99.5\n");
@@ -43,9 +43,30 @@ class ToyRun : public TemporaryFolder {
     write("uxv/network_quality.csv",
           "receive_s,send_s,per_percent,signal_dbm\n1000,1000,0,-50\n1020,1020,40,-80\n");
   }
-  void remove(const std::string& name) const { std::filesystem::remove_all(path(name)); }
+  /// A file of the run; `gcs/TOPIC.csv` becomes messages of that side's bag.
+  void write(const std::string& name, const std::string& text) {
+    const std::filesystem::path file(name);
+    if (file.extension() != ".csv") {
+      TemporaryFolder::write(name, text);
+      return;
+    }
+    const std::string side = file.parent_path().string();
+    texts_[side][file.stem().string()] = text;
+    std::filesystem::remove_all(path(side + "/bag"));
+    const TableBag made(path(side), texts_[side]);
+  }
+  /// Further rows of such a table.
+  void append(const std::string& name, const std::string& rows) {
+    const std::filesystem::path file(name);
+    write(name, texts_[file.parent_path().string()][file.stem().string()] + rows);
+  }
+  void remove(const std::string& side) {
+    texts_.erase(side);
+    std::filesystem::remove_all(path(side));
+  }
 
  private:
+  std::map<std::string, std::map<std::string, std::string>> texts_;  ///< by side and topic
   const std::string head = "receive_s,send_s,topic,writer,sequence,bytes\n";
 };
 

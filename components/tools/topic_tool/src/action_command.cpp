@@ -85,19 +85,15 @@ void declare(Verbs& verbs, ActionOptions& options) {
   sent->add_option("action_type", options.type, "nav2_msgs/action/NavigateToPose")->required();
   sent->add_option("goal", options.goal.goal, "in YAML: '{order: 5}'")->required();
   sent->add_flag("-f,--feedback", options.goal.feedback, "prints how it goes, too");
-  sent->add_option("--timeout", options.timeout_s, "[s] for the server, and for its answer [5]")
-      ->check(CLI::Range(0.1, 600.0));
+  declare_timeout(*sent, options.timeout_s);
 }
 
 }  // namespace
 
 int run_action(int argc, char** argv) {
-  CLI::App app("Actions of a running host, ours and those of other ROS 2 programs there.",
-               "tocsin action");
-  ActionOptions options;
-  Verbs verbs(app);
-  declare(verbs, options);
-  return verbs.run(argc, argv);
+  return run_verbs<ActionOptions>(
+      argc, argv, "tocsin action",
+      "Actions of a running host, ours and those of other ROS 2 programs there.", declare);
 }
 
 }  // namespace tocsin::topic_tool

@@ -105,11 +105,9 @@ void declare(Verbs& verbs, InterfaceOptions& options) {
 }  // namespace
 
 int run_interface(int argc, char** argv) {
-  CLI::App app("Interfaces that are installed: messages, services, actions.", "tocsin interface");
-  InterfaceOptions options;
-  Verbs verbs(app);
-  declare(verbs, options);
-  return verbs.run(argc, argv);
+  return run_verbs<InterfaceOptions>(argc, argv, "tocsin interface",
+                                     "Interfaces that are installed: messages, services, actions.",
+                                     declare);
 }
 
 }  // namespace tocsin::topic_tool

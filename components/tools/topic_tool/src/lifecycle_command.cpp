@@ -16,7 +16,7 @@
 #include "foundation/ros_names.hpp"
 #include "lifecycle_text.hpp"
 #include "running_names.hpp"
-#include "runtime/middleware/lifecycle_service.hpp"
+#include "runtime/middleware/ros_services.hpp"
 #include "topic_session.hpp"
 
 namespace tocsin::topic_tool {
@@ -123,8 +123,7 @@ int list(const LifecycleOptions& options) {
 CLI::App* declare_verb(Verbs& verbs, LifecycleOptions& options, const char* name, const char* text,
                        int (*body)(const LifecycleOptions&)) {
   CLI::App* const sub = add_verb(verbs, options, name, text, body);
-  sub->add_option("--timeout", options.timeout_s, "[s] for the node, and for its answer [5]")
-      ->check(CLI::Range(0.1, 600.0));
+  declare_timeout(*sub, options.timeout_s);
   return sub;
 }
 
@@ -149,12 +148,9 @@ void declare(Verbs& verbs, LifecycleOptions& options) {
 }  // namespace
 
 int run_lifecycle(int argc, char** argv) {
-  CLI::App app("States of nodes of a running host, ours and those of other ROS 2 programs there.",
-               "tocsin lifecycle");
-  LifecycleOptions options;
-  Verbs verbs(app);
-  declare(verbs, options);
-  return verbs.run(argc, argv);
+  return run_verbs<LifecycleOptions>(
+      argc, argv, "tocsin lifecycle",
+      "States of nodes of a running host, ours and those of other ROS 2 programs there.", declare);
 }
 
 }  // namespace tocsin::topic_tool

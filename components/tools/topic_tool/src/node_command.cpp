@@ -48,13 +48,7 @@ int info(const NodeOptions& options) {
   return 0;
 }
 
-}  // namespace
-
-int run_node(int argc, char** argv) {
-  CLI::App app("Nodes of a running host, ours and those of other ROS 2 programs there.",
-               "tocsin node");
-  NodeOptions options;
-  Verbs verbs(app);
+void declare(Verbs& verbs, NodeOptions& options) {
   CLI::App* const all = add_verb(verbs, options, "list", "names of all nodes", list);
   all->add_flag("-a,--all", options.list.hidden, "those that begin with _, too");
   all->add_flag("-c,--count-nodes", options.list.count, "how many there are");
@@ -62,7 +56,14 @@ int run_node(int argc, char** argv) {
       add_verb(verbs, options, "info", "what a node reads, writes, serves and calls", info);
   about->add_option("node", options.node, "its name, with its namespace")->required();
   about->add_flag("--include-hidden", options.hidden, "names that begin with _, too");
-  return verbs.run(argc, argv);
+}
+
+}  // namespace
+
+int run_node(int argc, char** argv) {
+  return run_verbs<NodeOptions>(
+      argc, argv, "tocsin node",
+      "Nodes of a running host, ours and those of other ROS 2 programs there.", declare);
 }
 
 }  // namespace tocsin::topic_tool

@@ -14,7 +14,7 @@
 #include "foundation/ros_names.hpp"
 #include "param_text.hpp"
 #include "running_names.hpp"
-#include "runtime/middleware/parameter_service.hpp"
+#include "runtime/middleware/ros_services.hpp"
 #include "topic_session.hpp"
 
 namespace tocsin::topic_tool {
@@ -163,8 +163,7 @@ int load(const ParamOptions& options) {
 CLI::App* verb(Verbs& verbs, ParamOptions& options, const char* name, const char* text,
                int (*body)(const ParamOptions&)) {
   CLI::App* const sub = add_verb(verbs, options, name, text, body);
-  sub->add_option("--timeout", options.timeout_s, "[s] for a node, and for its answer [5]")
-      ->check(CLI::Range(0.1, 600.0));
+  declare_timeout(*sub, options.timeout_s);
   sub->add_option("node", options.node, "its name, with its namespace")
       ->required(body != list_parameters);
   return sub;
@@ -191,12 +190,9 @@ void declare(Verbs& verbs, ParamOptions& options) {
 }  // namespace
 
 int run_param(int argc, char** argv) {
-  CLI::App app("Parameters of running nodes, ours and those of other ROS 2 programs on the host.",
-               "tocsin param");
-  ParamOptions options;
-  Verbs verbs(app);
-  declare(verbs, options);
-  return verbs.run(argc, argv);
+  return run_verbs<ParamOptions>(
+      argc, argv, "tocsin param",
+      "Parameters of running nodes, ours and those of other ROS 2 programs on the host.", declare);
 }
 
 }  // namespace tocsin::topic_tool

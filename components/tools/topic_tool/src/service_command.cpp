@@ -99,19 +99,15 @@ void declare(Verbs& verbs, ServiceOptions& options) {
   asked->add_option("service", options.service, of)->required();
   asked->add_option("type", options.type, "std_srvs/srv/SetBool")->required();
   asked->add_option("request", options.request, "in YAML: '{data: true}' [all defaults]");
-  asked->add_option("--timeout", options.timeout_s, "[s] for the server, and for its answer [5]")
-      ->check(CLI::Range(0.1, 600.0));
+  declare_timeout(*asked, options.timeout_s);
 }
 
 }  // namespace
 
 int run_service(int argc, char** argv) {
-  CLI::App app("Services of a running host, ours and those of other ROS 2 programs there.",
-               "tocsin service");
-  ServiceOptions options;
-  Verbs verbs(app);
-  declare(verbs, options);
-  return verbs.run(argc, argv);
+  return run_verbs<ServiceOptions>(
+      argc, argv, "tocsin service",
+      "Services of a running host, ours and those of other ROS 2 programs there.", declare);
 }
 
 }  // namespace tocsin::topic_tool

@@ -115,12 +115,9 @@ void declare(Verbs& verbs, Options& options) {
 }
 
 int run_topic(int argc, char** argv) {
-  CLI::App app("Topics of a running host, ours and those of other DDS and ROS 2 programs there.",
-               "tocsin topic");
-  Options options;
-  Verbs verbs(app);
-  declare(verbs, options);
-  return verbs.run(argc, argv);
+  return run_verbs<Options>(
+      argc, argv, "tocsin topic",
+      "Topics of a running host, ours and those of other DDS and ROS 2 programs there.", declare);
 }
 
 }  // namespace tocsin::topic_tool

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "topic_session.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <thread>
 #include <utility>
@@ -23,6 +22,11 @@ constexpr Duration look = std::chrono::milliseconds(50);
 void SessionOptions::declare_session(CLI::App& verb) {
   host.declare(verb);
   verb.add_option("--spin-time", spin_s, "[s] waited for what does not appear [2]")
+      ->check(CLI::Range(0.1, 600.0));
+}
+
+void declare_timeout(CLI::App& verb, double& timeout_s) {
+  verb.add_option("--timeout", timeout_s, "[s] for who is to answer, and for the answer [5]")
       ->check(CLI::Range(0.1, 600.0));
 }
 

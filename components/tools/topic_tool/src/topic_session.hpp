@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <condition_variable>
 #include <deque>
 #include <memory>
@@ -13,10 +14,6 @@
 #include "idl_support/type_info.hpp"
 #include "runtime/middleware/host_bus.hpp"
 #include "runtime/middleware/host_graph.hpp"
-
-namespace CLI {
-class App;
-}
 
 namespace tocsin::topic_tool {
 
@@ -36,6 +33,20 @@ CLI::App* add_verb(Verbs& verbs, Options& options, const char* name, const char*
   CLI::App* const verb = verbs.add(name, text, [&options, body] { return body(options); });
   options.declare_session(*verb);
   return verb;
+}
+
+/// Adds --timeout.
+void declare_timeout(CLI::App& verb, double& timeout_s);
+
+/// A program whose verbs `declare` adds: does what the one that was said says.
+template <class Options>
+int run_verbs(int argc, char** argv, const char* name, const char* about,
+              void (*declare)(Verbs&, Options&)) {
+  CLI::App app(about, name);
+  Options options;
+  Verbs verbs(app);
+  declare(verbs, options);
+  return verbs.run(argc, argv);
 }
 
 /// A host's domain as a command of a person uses it: waits until those who are there were heard.

@@ -1,94 +1,41 @@
 // SPDX-License-Identifier: Apache-2.0
-// `tocsin lifecycle` as a user runs it, on real DDS, beside a node that goes through two states.
+// `tocsin lifecycle` where its page does not play it (test/system), and its texts.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <string>
-#include <vector>
-
 #include "command_line/run_to_end.hpp"
-#include "runtime/middleware/lifecycle_service.hpp"
-#include "runtime/service_port.hpp"
-#include "ticked_neighbour.hpp"
+#include "lifecycle_text.hpp"
 
 namespace tocsin::topic_tool {
 namespace {
 
-using ::testing::HasSubstr;
-namespace service = lifecycle_service;
-using State = lifecycle_msgs::msg::State;
-using Way = lifecycle_msgs::msg::TransitionDescription;
-
-constexpr int domain = 129;
-
-State named(bool active) {
-  State state;
-  state.id(active ? 3 : 2);
-  state.label(active ? "active" : "inactive");
-  return state;
+Transitions transitions() {
+  Transitions all(2);
+  all[0].transition().id(4);
+  all[0].transition().label("deactivate");
+  all[0].start_state().label("active");
+  all[0].goal_state().label("deactivating");
+  all[1].transition().id(7);
+  all[1].transition().label("active_shutdown\x1b");
+  return all;
 }
 
-/// Answers by hand what a container answers for its components.
-class Lamp : public Component {
- public:
-  explicit Lamp(Context& context) : Component(context) {}
-  void tick(Time) override {
-    while (auto call = state_.take()) {
-      service::GetState::Response response;
-      response.current_state(named(active_));
-      state_.reply(call->id, response);
-    }
-    while (auto call = ways_.take()) {
-      service::GetAvailableTransitions::Response response;
-      response.available_transitions({way()});
-      ways_.reply(call->id, response);
-    }
-    while (auto call = change_.take()) {
-      service::ChangeState::Response response;
-      response.success(call->request->transition().id() == way().transition().id());
-      if (response.success()) active_ = !active_;
-      change_.reply(call->id, response);
-    }
-  }
-
- private:
-  [[nodiscard]] Way way() const {
-    Way way;
-    way.transition().id(active_ ? 4 : 3);
-    way.transition().label(active_ ? "deactivate" : "activate");
-    way.start_state(named(active_));
-    way.goal_state().label(active_ ? "deactivating" : "activating");
-    return way;
-  }
-  bool active_ = true;
-  Server<service::GetState> state_{*this};
-  Server<service::GetAvailableTransitions> ways_{*this};
-  Server<service::ChangeState> change_{*this};
-};
-
-Ended lifecycle(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), LIFECYCLE_PROGRAM);
-  arguments.insert(arguments.end(), {"--domain", std::to_string(domain)});
-  return run_to_end(arguments);
-}
-
-TEST(LifecycleProgram, ShowsStatesAndLeadsANodeToAnother) {
-  const TickedNeighbour<Lamp> neighbour(domain, "lamp");
-  EXPECT_EQ(lifecycle({"nodes"}).output, "/lamp\n");
-  EXPECT_EQ(lifecycle({"get"}).output, "/lamp: active [3]\n");
-  EXPECT_EQ(lifecycle({"list", "/lamp"}).output,
+TEST(LifecycleText, ATransitionIsMeantByItsNameOrItsNumber) {
+  EXPECT_EQ(chosen(transitions(), "deactivate")->id(), 4);
+  EXPECT_EQ(chosen(transitions(), "7")->id(), 7);
+  EXPECT_FALSE(chosen(transitions(), "activate"));
+  EXPECT_EQ(unknown_text(transitions()),
+            "Unknown transition requested, available ones are:\n- deactivate [4]\n"
+            "- active_shutdown\\x1b [7]\n");
+  EXPECT_EQ(transitions_text({transitions()[0]}),
             "- deactivate [4]\n\tStart: active\n\tGoal: deactivating\n");
-  EXPECT_EQ(lifecycle({"set", "/lamp", "deactivate"}).output, "Transitioning successful\n");
-  EXPECT_EQ(lifecycle({"get", "lamp"}).output, "inactive [2]\n");
-  const Ended unknown = lifecycle({"set", "/lamp", "deactivate"});
-  EXPECT_EQ(unknown.code, 1);
-  EXPECT_EQ(unknown.output, "Unknown transition requested, available ones are:\n- activate [3]\n");
 }
 
 TEST(LifecycleProgram, SaysInOneLineThatANodeHasNone) {
-  const Ended sut = lifecycle({"get", "/nobody", "--timeout", "0.3"});
+  const Ended sut =
+      run_to_end({LIFECYCLE_PROGRAM, "get", "/nobody", "--timeout", "0.3", "--domain", "93"});
   EXPECT_EQ(sut.code, 1);
-  EXPECT_THAT(sut.output, HasSubstr("service /nobody/get_state: nobody serves it\n"));
+  EXPECT_THAT(sut.output, ::testing::HasSubstr("service /nobody/get_state: nobody serves it\n"));
 }
 
 }  // namespace

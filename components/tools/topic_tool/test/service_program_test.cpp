@@ -11,8 +11,8 @@
 #include "command_line/run_to_end.hpp"
 #include "foundation/temporary_folder.hpp"
 #include "ros_idl/std_srvs.hpp"
-#include "runtime/middleware/parameter_service.hpp"
 #include "runtime/middleware/ros_parameters.hpp"
+#include "runtime/middleware/ros_services.hpp"
 #include "runtime/service_port.hpp"
 #include "ticked_neighbour.hpp"
 
@@ -112,15 +112,6 @@ TEST_F(ServiceProgram, ListsServicesWithTheirTypes) {
   EXPECT_EQ(call(SERVICE_PROGRAM, {"find", "std_srvs/srv/SetBool"}).output, "/lamp/set\n");
 }
 
-TEST_F(ServiceProgram, CallsAServiceAndPrintsTheAnswer) {
-  const Ended sut =
-      call(SERVICE_PROGRAM, {"call", "/lamp/set", "std_srvs/srv/SetBool", "{data: true}"});
-  EXPECT_EQ(sut.code, 0);
-  EXPECT_THAT(sut.output,
-              HasSubstr("requester: making request: std_srvs.srv.SetBool_Request(data=True)\n\n"
-                        "response:\nstd_srvs.srv.SetBool_Response(success=True, message='on')\n"));
-}
-
 TEST_F(ServiceProgram, SaysInOneLineThatNobodyServesOrKnowsWhatIsAsked) {
   const Ended none =
       call(SERVICE_PROGRAM, {"call", "/nothing", "std_srvs/srv/Trigger", "--timeout", "0.3"});
@@ -139,18 +130,13 @@ TEST_F(ServiceProgram, SaysInOneLineThatNobodyServesOrKnowsWhatIsAsked) {
   EXPECT_THAT(unknown.output, HasSubstr("'no_srvs/srv/Thing_Request' is not known here"));
 }
 
-TEST_F(ServiceProgram, ReadsAndDescribesParameters) {
-  EXPECT_EQ(param({"list", "/lamp"}).output, "  brightness\n  name\n");
+TEST_F(ServiceProgram, ReadsParameters) {
   EXPECT_EQ(param({"list"}).output, "/lamp:\n  brightness\n  name\n");
   EXPECT_EQ(param({"get", "/lamp", "brightness"}).output, "Double value is: 0.5\n");
   EXPECT_EQ(param({"get", "lamp", "name", "--hide-type"}).output, "lamp\n");
   const Ended unset = param({"get", "/lamp", "none"});
   EXPECT_EQ(unset.code, 1);
   EXPECT_EQ(unset.output, "Parameter not set.\n");
-  EXPECT_THAT(param({"describe", "/lamp", "brightness"}).output,
-              HasSubstr("Parameter name: brightness\n  Type: double\n"));
-  EXPECT_EQ(param({"dump", "/lamp"}).output,
-            "/lamp:\n  ros__parameters:\n    brightness: 0.5\n    name: lamp\n");
 }
 
 TEST_F(ServiceProgram, SetsAndLoadsParameters) {

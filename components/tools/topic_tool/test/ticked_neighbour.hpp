@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "runtime/component.hpp"
+#include "runtime/host_control.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
 
 namespace tocsin {
@@ -20,7 +21,7 @@ class TickedNeighbour {
       : bus_(make_fast_dds_bus(options(domain))),
         context_{*bus_, node, Role::uxv},
         component_(context_) {
-    bus_->update_graph();
+    bus_->host_control().update_graph();
     thread_ = std::thread([this] { run(); });
   }
   ~TickedNeighbour() {

@@ -14,7 +14,6 @@ struct Parsed {
     declare(verbs, options);
     try {
       app.parse(line);
-      verb = app.get_subcommands().front()->get_name();
     } catch (const CLI::ParseError& error) {
       refused = error.what();
     }
@@ -22,21 +21,8 @@ struct Parsed {
   CLI::App app{"test"};
   Verbs verbs{app};
   Options options;
-  std::string verb;
   std::string refused;
 };
-
-TEST(TopicOptions, NeedAVerbThatExists) {
-  EXPECT_FALSE(Parsed("").refused.empty());
-  EXPECT_FALSE(Parsed("eco /chatter").refused.empty());
-  for (const char* verb : {"info", "type", "echo", "hz", "bw", "delay"}) {
-    EXPECT_FALSE(Parsed(verb).refused.empty()) << verb << " without a topic";
-    const Parsed sut(std::string(verb) + " /chatter");
-    EXPECT_EQ(sut.refused, "");
-    EXPECT_EQ(sut.verb, verb);
-    EXPECT_EQ(sut.options.topic, "/chatter");
-  }
-}
 
 TEST(TopicOptions, OfEchoMayNameAPlaceInTheLog) {
   EXPECT_FALSE(Parsed("echo /x").options.log.is_wanted());

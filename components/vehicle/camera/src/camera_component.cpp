@@ -40,16 +40,9 @@ CameraComponent::CameraComponent(Context& context, const Params& params)
       walls_(geometry::load_walls(params.walls_file)),
       period_(seconds(1 / params.rate_hz)),
       pose_timeout_(seconds(params.pose_timeout_s)) {
-  const bool draws = context.devices.get().has_spectators() || params.in_simulated_time == "drawn";
+  const bool draws =
+      context.computer.get().has_spectators || params.in_simulated_time == Pictures::drawn;
   if (draws) renderer_.emplace(params.camera, walls_);
-  image_.expect([this] { return ExpectedLoad{params_.rate_hz, expected_bytes()}; });
-}
-
-/// Of a picture from the map's origin.
-double CameraComponent::expected_bytes() const {
-  camera::Renderer renderer(params_.camera, walls_);
-  const auto picture = camera::encode_jpeg(renderer.render({0, 0, 0}, 0), params_.quality);
-  return static_cast<double>(picture.size());
 }
 
 void CameraComponent::tick(Time now) {

@@ -68,27 +68,15 @@ TEST(Renderer, GivesTheSamePictureForTheSameArguments) {
   EXPECT_EQ(a.render({0, 0, 0.5}, 7).rgb, b.render({0, 0, 0.5}, 7).rgb);
 }
 
-TEST(Renderer, GivesNewNoiseInEachFrame) {
-  CameraParams params = small();
-  params.sensor_noise = 4;
-  Renderer sut(params, room());
-  const Picture first = sut.render({}, 0);
-  EXPECT_NE(first.rgb, sut.render({}, 1).rgb);
-}
-
-TEST(Renderer, GivesNoNoiseWhenAskedForNone) {
-  Renderer sut(small(), room());
-  const Picture first = sut.render({}, 0);
-  EXPECT_EQ(first.rgb, sut.render({}, 1).rgb);
-}
-
-TEST(Renderer, HasNoiseOfTheStatedStrength) {
+TEST(Renderer, HasNewNoiseOfTheStatedStrengthInEachFrame) {
   CameraParams params = small();
   Renderer clean(params, room());
   params.sensor_noise = 4;
   Renderer noisy(params, room());
-  const Picture& a = clean.render({}, 0);
-  const Picture& b = noisy.render({}, 0);
+  const Picture a = clean.render({}, 0);
+  EXPECT_EQ(a.rgb, clean.render({}, 1).rgb);
+  const Picture b = noisy.render({}, 0);
+  EXPECT_NE(b.rgb, noisy.render({}, 1).rgb);
   double sum = 0;
   for (std::size_t i = 0; i < a.rgb.size(); ++i) sum += std::pow(b.rgb[i] - a.rgb[i], 2);
   EXPECT_NEAR(std::sqrt(sum / static_cast<double>(a.rgb.size())), 4.0, 0.2);
@@ -98,9 +86,11 @@ TEST(Renderer, ShowsTheWallAsHighAsPerspectiveSays) {
   // Focal length 80 px / tan(30 deg) = 138.6 px; the wall's top is 2.5 m above the lens.
   EXPECT_NEAR(wall_top(small(), 8.0), 60 - 138.6 * 2.5 / 8.0, 1.0);
   EXPECT_NEAR(wall_top(small(), 16.0), 60 - 138.6 * 2.5 / 16.0, 1.0);
+  EXPECT_EQ(wall_top(small(), 1.0), 0) << "it fills the picture";
+  CameraParams wide = small();
+  wide.field_of_view_deg = 90;
+  EXPECT_NEAR(wall_top(wide, 8.0), 60 - 80 * 2.5 / 8.0, 1.0);
 }
-
-TEST(Renderer, FillsThePictureCloseToAWall) { EXPECT_EQ(wall_top(small(), 1.0), 0); }
 
 TEST(Renderer, GetsDarkerWithDistance) {
   Renderer near(small(), {{3, -50, 3, 50, wall_loss_db}});
@@ -116,16 +106,6 @@ TEST(Renderer, ShowsFurnitureBeforeTheWallAndTheWallAboveIt) {
   const Mean brown = mean_of(picture, 76, 60), plaster = mean_of(picture, 76, 2);
   EXPECT_GT(brown[0], 1.8 * brown[2]);
   EXPECT_LT(plaster[0], 1.3 * plaster[2]);
-}
-
-TEST(Renderer, TurnsWithTheView) {
-  auto walls = room();
-  walls.push_back({-0.5, 2, 0.5, 2, furniture_loss_db});  // to the left of who looks along x
-  Renderer sut(small(), walls);
-  const Mean ahead = mean_of(sut.render({0, 0, 0}, 0), 76, 60);
-  EXPECT_LT(ahead[0], 1.5 * ahead[2]);
-  const Mean left = mean_of(sut.render({0, 0, std::acos(-1.0) / 2}, 0), 76, 60);
-  EXPECT_GT(left[0], 1.8 * left[2]);
 }
 
 TEST(Renderer, ShowsTheLeftOnTheLeft) {
@@ -165,18 +145,6 @@ TEST(Renderer, ShowsAPictureInEachSizeThatIsAllowed) {
     EXPECT_EQ(picture.height, height);
     EXPECT_GT(picture.at(width / 2, height - 1)[0], 20) << "the floor is lit";
   }
-}
-
-TEST(Renderer, SeesMoreWithAWiderLens) {
-  CameraParams params = small();
-  params.field_of_view_deg = 120;
-  Renderer wide(params, {{3, 3, 3, 5, furniture_loss_db}, {9, -90, 9, 90, wall_loss_db}});
-  params.field_of_view_deg = 60;
-  Renderer narrow(params, {{3, 3, 3, 5, furniture_loss_db}, {9, -90, 9, 90, wall_loss_db}});
-  const Mean seen = mean_of(wide.render({}, 0), 16, 60, 4);
-  EXPECT_GT(seen[0], 1.8 * seen[2]);
-  const Mean unseen = mean_of(narrow.render({}, 0), 0, 60, 4);
-  EXPECT_LT(unseen[0], 1.5 * unseen[2]);
 }
 
 TEST(Renderer, DrawsTheClassroomOfTheRepository) {

@@ -11,14 +11,6 @@ Texture stripes() {
   return {1.0, [](int u, int) { return u % 2 == 1 ? Color{200, 200, 200} : Color{0, 0, 0}; }};
 }
 
-TEST(Texture, IsReadInTheFinestResolutionWhenNear) {
-  const Texture sut = stripes();
-  const auto level = sut.level(1000);
-  EXPECT_EQ(level.per_m(), 256);
-  EXPECT_EQ(level.at(0, 0)[0], 0);
-  EXPECT_EQ(level.at(1, 0)[0], 200);
-}
-
 TEST(Texture, ChangesResolutionWhereATexelIsAPixel) {
   const Texture sut = stripes();
   EXPECT_EQ(sut.level(256).per_m(), 256);
@@ -29,9 +21,22 @@ TEST(Texture, ChangesResolutionWhereATexelIsAPixel) {
 
 TEST(Texture, ShowsTheMeanWhenFar) {
   const Texture sut = stripes();
+  EXPECT_EQ(sut.level(1000).at(0, 0)[0], 0) << "near, each texel";
+  EXPECT_EQ(sut.level(1000).at(1, 0)[0], 200);
   const auto level = sut.level(128);
   EXPECT_EQ(level.at(0, 0)[0], 100);
   EXPECT_EQ(level.at(1, 5)[2], 100);
+}
+
+TEST(Textures, AreWhatTheyShow) {
+  const Texture wall = wall_texture(1, 2.8);
+  EXPECT_LT(wall.level(1e9).at(0, 2)[0], 100) << "a dark skirting board";
+  EXPECT_GT(wall.level(1e9).at(0, 200)[0], 160) << "bright plaster";
+  const Texture furniture = furniture_texture(1);
+  const auto* brown = furniture.level(1e9).at(3, 10);
+  EXPECT_GT(brown[0], brown[1]);
+  EXPECT_GT(brown[1], brown[2]);
+  EXPECT_GT(ceiling_texture(1).level(0).at(0, 0)[1], floor_texture(1).level(0).at(0, 0)[1]);
 }
 
 TEST(Texture, Repeats) {
@@ -51,23 +56,6 @@ TEST(Texture, DependsOnTheSeedOnly) {
     different += a.level(1e9).at(9, v)[0] != other.level(1e9).at(9, v)[0] ? 1 : 0;
   }
   EXPECT_GT(different, Texture::size / 2);
-}
-
-TEST(WallTexture, HasADarkSkirtingBoardAndBrightPlaster) {
-  const Texture sut = wall_texture(1, 2.8);
-  EXPECT_LT(sut.level(1e9).at(0, 2)[0], 100);
-  EXPECT_GT(sut.level(1e9).at(0, 200)[0], 160);
-}
-
-TEST(FurnitureTexture, IsBrown) {
-  const Texture sut = furniture_texture(1);
-  const auto* texel = sut.level(1e9).at(3, 10);
-  EXPECT_GT(texel[0], texel[1]);
-  EXPECT_GT(texel[1], texel[2]);
-}
-
-TEST(CeilingTexture, IsBrighterThanTheFloor) {
-  EXPECT_GT(ceiling_texture(1).level(0).at(0, 0)[1], floor_texture(1).level(0).at(0, 0)[1]);
 }
 
 }  // namespace

@@ -37,7 +37,6 @@ KobukiDriverComponent::KobukiDriverComponent(Context& context, const Params& par
     : Component(context),
       params_(params),
       frame_topics_(*this, params.frame, params.driver.odometry.use_gyro_heading),
-      devices_(context.devices),
       driver_(params.driver),
       file_(context.state_path(".odometry")),
       stop_file_(context.state_path(".stop")) {
@@ -59,12 +58,12 @@ void KobukiDriverComponent::open_at_start() {
   if (opened.result == OpenedSerial::Result::busy && opened.held) {
     throw ConfigError(name() + ".device_port: " + opened.reason + "; stop it or set another port");
   }
-  if (opened.port) return adopt(std::move(opened.port));
+  if (opened.device) return adopt(std::move(opened.device));
   log().warn("waiting for the base: {}", opened.reason);
 }
 
 OpenedSerial KobukiDriverComponent::open() {
-  return devices_.open_serial(params_.device_port, when_readable());
+  return context().devices().try_open<SerialDevice>(params_.device_port, when_readable());
 }
 
 void KobukiDriverComponent::adopt(std::unique_ptr<SerialDevice> port) {
@@ -78,7 +77,7 @@ void KobukiDriverComponent::retry(Time now) {
   if (now < next_retry_) return;
   next_retry_ = now + seconds(params_.retry_s);
   OpenedSerial opened = open();
-  if (opened.port) adopt(std::move(opened.port));
+  if (opened.device) adopt(std::move(opened.device));
 }
 
 void KobukiDriverComponent::close(const char* why) {

@@ -73,11 +73,6 @@ TEST_F(CommandTopicsTest, LightsTheLedsInTheColoursOfTheMessageNotOfTheWire) {
   EXPECT_EQ(outputs(), 0x0CF0U);
 }
 
-TEST_F(CommandTopicsTest, IgnoresAColourThatIsNone) {
-  led<topic::Led1>(4);
-  EXPECT_EQ(outputs(), 0x00F0U);
-}
-
 TEST_F(CommandTopicsTest, PlaysEachTuneOnce) {
   sound(4);
   EXPECT_EQ(base_.model.outputs().last_tune, kobuki::Tune::error);
@@ -100,16 +95,7 @@ TEST_F(CommandTopicsTest, SwitchesOneSupplyAndLeavesTheOthers) {
   EXPECT_EQ(outputs(), 0x00B0U);
   supply(2, 1);
   EXPECT_EQ(outputs(), 0x00F0U);
-}
-
-TEST_F(CommandTopicsTest, IgnoresSuppliesAndStatesThatAreNone) {
-  supply(4, 0);
-  supply(0, 2);
-  EXPECT_EQ(outputs(), 0x00F0U);
-}
-
-TEST_F(CommandTopicsTest, KeepsEveryOneOfManyCommandsInOneTick) {
-  for (const int source : {0, 1, 3}) {
+  for (const int source : {0, 1, 3}) {  // all in one tick
     msg::ExternalPower message;
     message.source(static_cast<std::uint8_t>(source));
     message.state(0);
@@ -151,23 +137,23 @@ TEST_F(CommandTopicsTest, StandsWithoutMotorPowerAndWaitsForANewVelocity) {
   EXPECT_GT(base_.model.velocity().linear_mps, 0.2);
 }
 
-TEST_F(CommandTopicsTest, IgnoresAMotorStateThatIsNone) {
+TEST_F(CommandTopicsTest, IgnoresColoursSuppliesAndStatesThatAreNone) {
+  led<topic::Led1>(4);
+  supply(4, 0);
+  supply(0, 2);
+  EXPECT_EQ(outputs(), 0x00F0U);
   motor(2);
   drive(1, 0.3);
   EXPECT_GT(base_.model.velocity().linear_mps, 0.2);
 }
 
-TEST_F(CommandTopicsTest, PublishesTheGainsOfTheBase) {
+TEST_F(CommandTopicsTest, SetsGainsAndPublishesWhatTheBaseAnswers) {
   const auto known = gains_.take();
   ASSERT_EQ(known.size(), 1U);
   EXPECT_EQ(known[0].type(), 0);
   EXPECT_EQ(known[0].p_gain(), 100);
   EXPECT_EQ(known[0].i_gain(), 0.1);
   EXPECT_EQ(known[0].d_gain(), 2);
-}
-
-TEST_F(CommandTopicsTest, SetsGainsAndPublishesWhatTheBaseAnswers) {
-  gains_.take();
   gains(1, 55.5, 0.2, 3);
   EXPECT_EQ(base_.model.outputs().gains.kp_milli, 55500U);
   const auto answered = gains_.take();

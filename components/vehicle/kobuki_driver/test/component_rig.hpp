@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "devices/absent_devices.hpp"
+#include "devices/computer.hpp"
 #include "kobuki_driver/kobuki_driver_component.hpp"
 #include "kobuki_model/base_model.hpp"
 #include "runtime/sim_bus.hpp"
@@ -52,24 +52,23 @@ class ModelPort final : public SerialDevice {
 };
 
 /// A computer with one base on /dev/kobuki, while it is plugged.
-class ModelDevices final : public AbsentDevices {
- public:
-  explicit ModelDevices(Base& base) : base_(base) {}
-  OpenedSerial open_serial(const std::string& path, Readable on) override {
-    ++attempts;
-    readable = std::move(on);
-    if (in_use) return {OpenedSerial::Result::busy, nullptr, *in_use, held};
-    if (!base_.plugged || path != "/dev/kobuki") return AbsentDevices::open_serial(path, {});
-    return {OpenedSerial::Result::open, std::make_unique<ModelPort>(base_), {}, false};
+struct ModelDevices {
+  explicit ModelDevices(Base& base) {
+    computer.keeps_files = true;
+    computer.devices.add<SerialDevice>(
+        [this, &base](const std::string& path, Devices::Readable on) -> OpenedSerial {
+          ++attempts;
+          readable = std::move(on);
+          if (in_use) return {OpenedSerial::Result::busy, *in_use, held};
+          if (!base.plugged || path != "/dev/kobuki") return {};
+          return std::make_unique<ModelPort>(base);
+        });
   }
-  [[nodiscard]] bool keeps_files() const override { return true; }
-  Readable readable;
+  Computer computer;
+  Devices::Readable readable;
   int attempts = 0;
   std::optional<std::string> in_use;  ///< why the port is busy
   bool held = false;                  ///< by a living process
-
- private:
-  Base& base_;
 };
 
 class KobukiDriverComponentTest : public ::testing::Test {
@@ -91,7 +90,7 @@ class KobukiDriverComponentTest : public ::testing::Test {
   SimBus bus_;
   Base base_{bus_};
   ModelDevices devices_{base_};
-  Context context_ = Context(bus_, "kobuki_driver", Role::uxv).with_devices(devices_);
+  Context context_ = Context(bus_, "kobuki_driver", Role::uxv).with_computer(devices_.computer);
   KobukiDriverComponent::Params params_;
   std::unique_ptr<KobukiDriverComponent> sut_;
   SimReader<topic::Odom> odom_{bus_};

@@ -70,28 +70,20 @@ TEST_F(DriverEmergencyStop, StandsFromTheFirstFrameOn) {
   EXPECT_EQ(fresh.model.velocity().linear_mps, 0);
 }
 
-TEST_F(DriverEmergencyStop, StandsOverALossOfThePort) {
-  stop(true);
-  rig.driver.on_port_lost();
-  rig.driver.on_port_open();
-  rig.run(1, ahead);
-  EXPECT_EQ(rig.model.velocity().linear_mps, 0);
-}
-
-TEST_F(DriverEmergencyStop, MotorPowerDoesNotReleaseIt) {
+TEST_F(DriverEmergencyStop, NeitherMotorPowerNorALossOfThePortReleasesIt) {
   stop(true);
   rig.driver.set_motor_power(false);
   rig.driver.set_motor_power(true);
   rig.run(1, ahead);
   EXPECT_EQ(rig.model.velocity().linear_mps, 0);
-}
-
-TEST_F(DriverEmergencyStop, ItsReleaseDoesNotSwitchMotorPowerOn) {
-  rig.driver.set_motor_power(false);
-  stop(true);
-  stop(false);
+  rig.driver.on_port_lost();
+  rig.driver.on_port_open();
   rig.run(1, ahead);
   EXPECT_EQ(rig.model.velocity().linear_mps, 0);
+  rig.driver.set_motor_power(false);
+  stop(false);
+  rig.run(1, ahead);
+  EXPECT_EQ(rig.model.velocity().linear_mps, 0) << "its release does not switch motor power on";
 }
 
 TEST_F(DriverEmergencyStop, RefusesGainsAndDropsThoseThatWait) {

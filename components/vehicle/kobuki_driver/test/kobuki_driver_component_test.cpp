@@ -34,9 +34,6 @@ TEST_F(KobukiDriverComponentTest, HasTheCovariancesOfTheReference) {
   EXPECT_EQ(imu.orientation_covariance()[8], 0.05);
   EXPECT_GT(imu.orientation_covariance()[0], 1e300);
   EXPECT_EQ(imu.linear_acceleration_covariance()[0], -1);
-}
-
-TEST_F(KobukiDriverComponentTest, IsLessSureOfEncoderHeading) {
   params_.driver.odometry.use_gyro_heading = false;
   start();
   run(1);
@@ -93,6 +90,11 @@ TEST_F(KobukiDriverComponentTest, PublishesRawSensorsAndEvents) {
   const auto plugged = power.take();
   ASSERT_EQ(plugged.size(), 1U);
   EXPECT_EQ(plugged[0].event(), 2);
+  params_.publish_base_topics = false;
+  start();
+  sensors.take();
+  run(0.5);
+  EXPECT_TRUE(sensors.take().empty());
 }
 
 TEST_F(KobukiDriverComponentTest, PublishesStateAndVersions) {
@@ -110,22 +112,6 @@ TEST_F(KobukiDriverComponentTest, PublishesStateAndVersions) {
   base_.plugged = false;
   run(0.2);
   EXPECT_EQ(states.take().back().state(), 0);
-}
-
-TEST_F(KobukiDriverComponentTest, KeepsRawSensorsToItselfWhenAskedTo) {
-  params_.publish_base_topics = false;
-  SimReader<topic::SensorsCore> sensors(bus_);
-  start();
-  run(0.5);
-  EXPECT_TRUE(sensors.take().empty());
-}
-
-TEST_F(KobukiDriverComponentTest, StopsTheBaseWhenVelocitiesStop) {
-  start();
-  drive(2, 0.3);
-  EXPECT_GT(base_.model.velocity().linear_mps, 0.25);
-  run(1.2);
-  EXPECT_EQ(base_.model.velocity().linear_mps, 0);
 }
 
 TEST_F(KobukiDriverComponentTest, LeavesTheBaseStandingWhenItEnds) {

@@ -60,7 +60,7 @@ Navigator::Output Navigator::update(Time now) {
   last_update_ = now;
   if (const char* reason = reason_to_halt(now)) return stand(State::held, follower_.halt(), reason);
   if (!goals_.present()) return stand(State::idle, follower_.brake(dt), "no_goal");
-  if (is_link_lost(now) && params_.on_link_lost == "return") return go_home(now, dt);
+  if (is_link_lost(now) && params_.on_link_lost == OnLinkLost::go_home) return go_home(now, dt);
   const char* const reason = reason_to_hold(now);
   if (reason != nullptr && !stands_at_goal()) {
     return stand(State::held, follower_.brake(dt), reason);
@@ -93,7 +93,7 @@ const char* Navigator::reason_to_halt(Time now) const {
 
 const char* Navigator::reason_to_hold(Time now) const {
   if (now >= goals_.present()->expires) return "goal_expired";
-  if (is_link_lost(now) && params_.on_link_lost == "hold") return "link_lost";
+  if (is_link_lost(now) && params_.on_link_lost == OnLinkLost::hold) return "link_lost";
   return nullptr;
 }
 

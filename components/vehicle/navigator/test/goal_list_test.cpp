@@ -18,12 +18,6 @@ Goal goal(std::uint64_t id, std::size_t ahead, double lifetime_s = 60) {
   return goal;
 }
 
-TEST(GoalList, IsEmptyBeforeTheFirstGoal) {
-  GoalList sut;
-  EXPECT_FALSE(sut.present());
-  EXPECT_FALSE(sut.advance());
-}
-
 TEST(GoalList, AdvancesThroughWhatIsAheadAndNoFarther) {
   GoalList sut;
   ASSERT_EQ(sut.on_goal(goal(5, 2), t0), GoalAnswer::accepted);
@@ -63,18 +57,15 @@ TEST(GoalList, AnEarlierGoalThatEndsBeforeThePresentOneIsSuperseded) {
   EXPECT_TRUE(sut.present()->ahead.empty());
 }
 
-TEST(GoalList, RefusesMoreAheadThanTheLimit) {
+TEST(GoalList, RefusesWhatIsNotFiniteAheadAndTooMuch) {
   GoalList sut;
-  EXPECT_EQ(sut.on_goal(goal(1, 33), t0), GoalAnswer::invalid);
-  EXPECT_EQ(sut.on_goal(goal(1, 32), t0), GoalAnswer::accepted);
-}
-
-TEST(GoalList, RefusesWhatIsNotFiniteAhead) {
-  GoalList sut;
+  EXPECT_FALSE(sut.advance());
   Goal bad = goal(1, 2);
   bad.ahead[1].heading_rad = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(sut.on_goal(bad, t0), GoalAnswer::invalid);
+  EXPECT_EQ(sut.on_goal(goal(1, 33), t0), GoalAnswer::invalid);
   EXPECT_FALSE(sut.present());
+  EXPECT_EQ(sut.on_goal(goal(1, 32), t0), GoalAnswer::accepted);
 }
 
 constexpr std::uint64_t largest = std::numeric_limits<std::uint64_t>::max();

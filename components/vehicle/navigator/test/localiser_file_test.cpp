@@ -27,32 +27,22 @@ TEST_F(LocaliserFileTest, GivesBackWhatItSaved) {
   EXPECT_EQ(memory->odom.heading_rad, -0.6);
 }
 
-TEST_F(LocaliserFileTest, IsEmptyWithoutAFile) { EXPECT_FALSE(sut_.load()); }
-
-TEST_F(LocaliserFileTest, IsEmptyWhenTheFileIsDamaged) {
+TEST_F(LocaliserFileTest, IsEmptyWhenTheFileIsAbsentDamagedOrOfAnotherLaunch) {
+  EXPECT_FALSE(sut_.load());
   const std::string parent = std::to_string(::getppid());
   write(parent + " 1 2 3 4 5 6\n");
   EXPECT_TRUE(sut_.load());
-  write(parent + " 1 2 3 4 5\n");
-  EXPECT_FALSE(sut_.load());
-  write(parent + " 1 2 x 4 5 6\n");
-  EXPECT_FALSE(sut_.load());
-  write("");
-  EXPECT_FALSE(sut_.load());
+  for (const std::string& text : {parent + " 1 2 3 4 5\n", parent + " 1 2 x 4 5 6\n", std::string(),
+                                  std::to_string(::getppid() + 1) + " 1 2 3 4 5 6\n"}) {
+    write(text);
+    EXPECT_FALSE(sut_.load()) << text;
+  }
 }
 
-TEST_F(LocaliserFileTest, IsEmptyWhenTheFileIsOfAnotherLaunch) {
-  write(std::to_string(::getppid() + 1) + " 1 2 3 4 5 6\n");
-  EXPECT_FALSE(sut_.load());
-}
-
-TEST_F(LocaliserFileTest, TellsWhenItCannotSave) {
-  EXPECT_FALSE(LocaliserFile("/nowhere/at/all").save({}));
-}
-
-TEST_F(LocaliserFileTest, KeepsNothingWithoutAPath) {
+TEST_F(LocaliserFileTest, KeepsNothingWithoutAPathAndTellsOfOneThatIsNone) {
   EXPECT_TRUE(LocaliserFile("").save({}));
   EXPECT_FALSE(LocaliserFile("").load());
+  EXPECT_FALSE(LocaliserFile("/nowhere/at/all").save({}));
 }
 
 }  // namespace

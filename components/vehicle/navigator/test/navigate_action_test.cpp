@@ -161,17 +161,5 @@ TEST_F(NavigateActionTest, IsGivenUpAfterItsTime) {
   EXPECT_EQ(command_.linear().x(), 0);
 }
 
-TEST_F(NavigateActionTest, AnEmergencyStopHoldsItAndItGoesOnAfterwards) {
-  const GoalId id = send(goal(1));
-  run(1);
-  press_emergency_stop(true);
-  run(1);
-  EXPECT_EQ(command_.linear().x(), 0);
-  EXPECT_THAT(steps(id), ElementsAre(What::accepted));
-  press_emergency_stop(false);
-  run(10);
-  EXPECT_EQ(end(id).state, GoalState::succeeded);
-}
-
 }  // namespace
 }  // namespace tocsin

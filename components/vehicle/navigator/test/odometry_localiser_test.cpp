@@ -23,11 +23,6 @@ TEST(OdometryLocaliser, AddsOdometryToTheStart) {
   expect_pose(sut.update({0.5, 0, 0.1}, t0 + seconds(1)), {1, 2.5, pi / 2 + 0.1});
 }
 
-TEST(OdometryLocaliser, AcceptsAFirstPoseFarFromZero) {
-  OdometryLocaliser sut(geometry::Pose{1, 0, 0});
-  expect_pose(sut.update({10, 0, 0}, t0), {11, 0, 0});
-}
-
 TEST(OdometryLocaliser, StaysWhereItIsWhenOdometryJumps) {
   OdometryLocaliser sut(geometry::Pose{0, 0, 0});
   (void)sut.update({5, 1, 1}, t0);
@@ -48,20 +43,11 @@ TEST(OdometryLocaliser, KnowsADriverThatBeganAtZeroAgainNearby) {
   expect_pose(sut.update({0, 0, 0}, t0 + seconds(2)), {0.5, 0, 0.3});
 }
 
-TEST(OdometryLocaliser, DrivesThroughItsOwnStartUndisturbed) {
-  OdometryLocaliser sut(geometry::Pose{3, 0, 0});
-  (void)sut.update({0.06, 0, 0}, t0);
-  expect_pose(sut.update({0.01, 0, 0}, t0 + seconds(0.1)), {3.01, 0, 0});
-}
-
-TEST(OdometryLocaliser, GoesOnFromAMemoryWithOdometryThatWentOn) {
-  OdometryLocaliser sut(OdometryLocaliser::Memory{{1, 0, 0}, {5, 0, 0}});
-  expect_pose(sut.update({6, 0, 0}, t0), {7, 0, 0});
-}
-
-TEST(OdometryLocaliser, GoesOnFromAMemoryWithOdometryThatBeganAnew) {
-  OdometryLocaliser sut(OdometryLocaliser::Memory{{1, 0, 0}, {9, 0, 0}});
-  expect_pose(sut.update({0, 0, 0}, t0), {10, 0, 0});
+TEST(OdometryLocaliser, GoesOnFromAMemoryWithOdometryThatWentOnOrBeganAnew) {
+  OdometryLocaliser on(OdometryLocaliser::Memory{{1, 0, 0}, {5, 0, 0}});
+  expect_pose(on.update({6, 0, 0}, t0), {7, 0, 0});
+  OdometryLocaliser anew(OdometryLocaliser::Memory{{1, 0, 0}, {9, 0, 0}});
+  expect_pose(anew.update({0, 0, 0}, t0), {10, 0, 0});
 }
 
 TEST(OdometryLocaliser, IgnoresWhatIsNotFinite) {

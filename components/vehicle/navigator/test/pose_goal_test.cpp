@@ -28,18 +28,11 @@ TEST_F(PoseGoalTest, HasNotEndedWhileItIsDrivenTo) {
   EXPECT_EQ(sut_.end(doing(Navigator::State::held), t0 + seconds(59.9)), std::nullopt);
 }
 
-TEST_F(PoseGoalTest, EndsWhenItIsReached) {
+TEST_F(PoseGoalTest, IsCanceledWhenTheVehicleStandsUnlessItIsReached) {
   EXPECT_EQ(sut_.end(doing(Navigator::State::reached), t0), PoseGoalEnd::reached);
-}
-
-TEST_F(PoseGoalTest, IsCanceledWhenTheVehicleStandsAndNotBefore) {
   sut_.cancel();
   EXPECT_EQ(sut_.end(doing(Navigator::State::held, 0.01), t0), std::nullopt);
   EXPECT_EQ(sut_.end(doing(Navigator::State::held), t0), PoseGoalEnd::canceled);
-}
-
-TEST_F(PoseGoalTest, ThatIsReachedAsSomebodyCancelsItIsReached) {
-  sut_.cancel();
   EXPECT_EQ(sut_.end(doing(Navigator::State::reached), t0), PoseGoalEnd::reached);
 }
 
@@ -51,11 +44,6 @@ TEST_F(PoseGoalTest, TimesOutWhenTheVehicleStandsAfterItsTime) {
 TEST_F(PoseGoalTest, IsSupersededByAnotherMissionWhateverItDoes) {
   EXPECT_EQ(sut_.end(doing(Navigator::State::reached, 0, 8), t0), PoseGoalEnd::superseded);
   EXPECT_EQ(sut_.end(doing(Navigator::State::driving, 0.3, 8), t0), PoseGoalEnd::superseded);
-}
-
-TEST_F(PoseGoalTest, EachEndHasWords) {
-  EXPECT_STREQ(to_string(PoseGoalEnd::canceled), "canceled");
-  EXPECT_STREQ(to_string(PoseGoalEnd::timed_out), "not reached in its time");
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ class Vehicle {
   geometry::Twist driven;
 };
 
-inline Navigator::Params on_link_lost(const char* what) {
+inline Navigator::Params on_link_lost(OnLinkLost what) {
   Navigator::Params params;
   params.on_link_lost = what;
   params.link_lost_after_s = 10;

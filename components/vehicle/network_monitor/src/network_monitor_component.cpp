@@ -49,9 +49,9 @@ EchoTarget target_of(const NetworkMonitorComponent::Params& params) {
 }
 
 std::unique_ptr<network::WirelessDevice> open_wireless(
-    Devices& devices, const NetworkMonitorComponent::Params& params) {
+    const Devices& devices, const NetworkMonitorComponent::Params& params) {
   if (params.interface_name.empty()) return nullptr;
-  return devices.open_wireless(params.interface_name, params.wireless_file);
+  return devices.open<network::WirelessDevice>({params.interface_name, params.wireless_file});
 }
 
 }  // namespace
@@ -59,10 +59,10 @@ std::unique_ptr<network::WirelessDevice> open_wireless(
 NetworkMonitorComponent::NetworkMonitorComponent(Context& context, const Params& params)
     : Component(context),
       interface_name_(params.interface_name),
-      echo_(context.devices.get().open_echo(target_of(params), when_readable())),
+      echo_(context.devices().open<EchoDevice>(target_of(params), when_readable())),
       probe_period_(seconds(params.probe.period_s)),
       window_(params.probe),
-      wireless_(open_wireless(context.devices, params)) {
+      wireless_(open_wireless(context.devices(), params)) {
   wake_on(echo_->descriptor());
 }
 

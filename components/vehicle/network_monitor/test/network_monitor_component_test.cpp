@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
+#include <yaml-cpp/yaml.h>
 
 #include <cerrno>
 #include <cmath>
@@ -13,9 +14,10 @@
 #include <iterator>
 #include <utility>
 
-#include "devices/absent_devices.hpp"
+#include "devices/computer.hpp"
 #include "foundation/error.hpp"
 #include "foundation/parameters.hpp"
+#include "runtime/component_entry.hpp"
 #include "runtime/sim_bus.hpp"
 
 namespace tocsin {
@@ -49,21 +51,13 @@ class ScriptedEcho final : public EchoDevice {
 };
 
 /// A computer with that target and the radio of this one.
-class TargetDevices final : public AbsentDevices {
- public:
-  TargetDevices(const SimBus& bus, const Target& target) : bus_(bus), target_(target) {}
-  std::unique_ptr<EchoDevice> open_echo(const EchoTarget&, Readable) override {
-    return std::make_unique<ScriptedEcho>(bus_, target_);
-  }
-  std::unique_ptr<network::WirelessDevice> open_wireless(const std::string& interface,
-                                                         const std::string& file) override {
-    return real_devices().open_wireless(interface, file);
-  }
-
- private:
-  const SimBus& bus_;
-  const Target& target_;
-};
+Computer with_target(const SimBus& bus, const Target& target) {
+  Computer computer = this_computer();
+  computer.devices.add<EchoDevice>([&](const EchoTarget&, const Devices::Readable&) {
+    return std::make_unique<ScriptedEcho>(bus, target);
+  });
+  return computer;
+}
 
 class NetworkMonitorTest : public ::testing::Test {
  protected:
@@ -86,8 +80,8 @@ class NetworkMonitorTest : public ::testing::Test {
 
   SimBus bus_;
   Target target_;
-  TargetDevices devices_{bus_, target_};
-  Context context_ = Context(bus_, "network_monitor", Role::uxv).with_devices(devices_);
+  Computer computer_ = with_target(bus_, target_);
+  Context context_ = Context(bus_, "network_monitor", Role::uxv).with_computer(computer_);
   SimReader<topic::NetworkQuality> samples_{bus_};
   std::string file_;
   bool running_ = false;
@@ -151,14 +145,6 @@ TEST_F(NetworkMonitorTest, SaysThatTheHardwareIsAbsent) {
   EXPECT_TRUE(std::isnan(sample.busy_percent()));
 }
 
-TEST_F(NetworkMonitorTest, InventsNoSignalWhileUnassociated) {
-  write_wireless("0 0 0 0 0 0 0 0 0");
-  const auto sample = run(3).back();
-  EXPECT_EQ(sample.wireless_source(), "proc");
-  EXPECT_TRUE(std::isnan(sample.signal_dbm()));
-  EXPECT_TRUE(std::isnan(sample.quality_percent()));
-}
-
 TEST_F(NetworkMonitorTest, FollowsTheInterfaceThroughALostAssociation) {
   write_wireless("35. -75. -256 0 0 0 0 0 0");
   EXPECT_EQ(run(3).back().signal_dbm(), -75.0F);
@@ -177,29 +163,25 @@ TEST_F(NetworkMonitorTest, ReportsAShortOutageAsItsShareOfTheWindow) {
   EXPECT_EQ(run(8).back().per_percent(), 0.0F);
 }
 
-TEST_F(NetworkMonitorTest, SurvivesADamagedWirelessFile) {
-  write_wireless("garbage");
-  const auto sample = run(3).back();
-  EXPECT_EQ(sample.wireless_source(), "absent");
-  EXPECT_EQ(sample.per_percent(), 0.0F);
-}
-
 /// A computer whose devices have no descriptors: replies come when the test says so.
-class ScriptedDevices final : public AbsentDevices {
+class ScriptedDevices {
  public:
-  explicit ScriptedDevices(const SimBus& bus) : bus_(bus) {}
-  std::unique_ptr<EchoDevice> open_echo(const EchoTarget& target, Readable on) override {
-    readable = std::move(on);
-    echo_target = target;
-    return std::make_unique<Echo>(*this);
+  explicit ScriptedDevices(const SimBus& bus) : bus_(bus) {
+    using network::WirelessDevice;
+    computer.devices.add<EchoDevice>([this](const EchoTarget& target, Devices::Readable on) {
+      readable = std::move(on);
+      echo_target = target;
+      return std::make_unique<Echo>(*this);
+    });
+    computer.devices.add<WirelessDevice>(
+        [this](const WirelessDevice::Address& at, const Devices::Readable&) {
+          asked = at.interface + " " + at.file;
+          return std::make_unique<Wireless>();
+        });
   }
-  std::unique_ptr<network::WirelessDevice> open_wireless(const std::string& interface,
-                                                         const std::string& file) override {
-    asked = interface + " " + file;
-    return std::make_unique<Wireless>();
-  }
+  Computer computer;
   std::deque<EchoReply> replies;
-  Readable readable;
+  Devices::Readable readable;
   std::string asked;
   EchoTarget echo_target;
   int sent = 0;
@@ -234,7 +216,7 @@ class ScriptedDevices final : public AbsentDevices {
 TEST(NetworkMonitorOnAnotherComputer, UsesItsDevices) {
   SimBus bus;
   ScriptedDevices devices(bus);
-  Context context = Context(bus, "network_monitor", Role::uxv).with_devices(devices);
+  Context context = Context(bus, "network_monitor", Role::uxv).with_computer(devices.computer);
   SimReader<topic::NetworkQuality> samples(bus);
   NetworkMonitorComponent sut(context, {});
   bus.add(sut);
@@ -256,7 +238,7 @@ TEST(NetworkMonitorOnAnotherComputer, UsesItsDevices) {
 TEST(NetworkMonitorOnAnotherComputer, SendsProbesWithTheDscpOfClassLowUnlessToldOtherwise) {
   SimBus bus;
   ScriptedDevices devices(bus);
-  Context context = Context(bus, "network_monitor", Role::uxv).with_devices(devices);
+  Context context = Context(bus, "network_monitor", Role::uxv).with_computer(devices.computer);
   NetworkMonitorComponent::Params params;
   const NetworkMonitorComponent by_default(context, params);
   EXPECT_EQ(devices.echo_target.dscp, dscp(TrafficClass::low));
@@ -269,7 +251,7 @@ TEST(NetworkMonitorOnAnotherComputer, SendsProbesWithTheDscpOfClassLowUnlessTold
 TEST(NetworkMonitorOnAnotherComputer, AsksNoRadioWhenNoInterfaceIsConfigured) {
   SimBus bus;
   ScriptedDevices devices(bus);
-  Context context = Context(bus, "network_monitor", Role::uxv).with_devices(devices);
+  Context context = Context(bus, "network_monitor", Role::uxv).with_computer(devices.computer);
   NetworkMonitorComponent::Params params;
   params.interface_name = "";
   SimReader<topic::NetworkQuality> samples(bus);
@@ -280,6 +262,22 @@ TEST(NetworkMonitorOnAnotherComputer, AsksNoRadioWhenNoInterfaceIsConfigured) {
   ASSERT_FALSE(got.empty());
   EXPECT_EQ(got.back().wireless_source(), "absent");
   EXPECT_EQ(devices.asked, "");
+}
+
+TEST(NetworkMonitorLive, TakesAnotherWindowWhileItRunsAndKeepsItOnARefusal) {
+  SimBus bus;
+  ScriptedDevices devices(bus);
+  Context context = Context(bus, "network_monitor", Role::uxv).with_computer(devices.computer);
+  const ComponentEntry entry = make_component_entry<NetworkMonitorComponent>();
+  const auto sut = entry.create(context, YAML::Load("{}"), {});
+  SimReader<topic::NetworkQuality> samples(bus);
+  bus.add(*sut);
+  entry.change(*sut, YAML::Load("{window: 3}"), {});
+  bus.run_for(seconds(10));
+  EXPECT_EQ(samples.take().back().probes_sent(), 3U);
+  EXPECT_THROW(entry.change(*sut, YAML::Load("{window: 0}"), {}), ConfigError);
+  bus.run_for(seconds(10));
+  EXPECT_EQ(samples.take().back().probes_sent(), 3U);
 }
 
 TEST(NetworkMonitor, RefusesATargetThatIsNoAddress) {

@@ -11,9 +11,9 @@ namespace {
 
 /// Names that kernel drivers give to CPU sensors, best first: Intel package, Intel and AMD hwmon,
 /// ARM SoCs (Raspberry Pi: cpu-thermal), ACPI last, which is often the board.
-constexpr std::array names{"x86_pkg_temp", "coretemp",    "k10temp",      "zenpower",
-                           "cpu-thermal",  "cpu_thermal", "cpu0-thermal", "soc-thermal",
-                           "soc_thermal",  "CPU-therm",   "acpitz"};
+constexpr std::array sensors{"x86_pkg_temp", "coretemp",    "k10temp",      "zenpower",
+                             "cpu-thermal",  "cpu_thermal", "cpu0-thermal", "soc-thermal",
+                             "soc_thermal",  "CPU-therm",   "acpitz"};
 
 std::string trimmed(std::string text) {
   constexpr auto blank = " \t\r\n";
@@ -22,21 +22,21 @@ std::string trimmed(std::string text) {
   return text;
 }
 
-/// The files of a thermometer.
-struct Files {
+/// The names of a thermometer's files.
+struct Names {
   const char* name;
   const char* value;
 };
 
 /// One thermometer per sub-folder that has both files; a sensor that fails counts.
-void list_devices(Devices& devices, const std::string& folder, const Files& files,
+void list_devices(DeviceFiles& files, const std::string& folder, const Names& names,
                   std::vector<Thermometer>& found) {
-  for (const std::string& entry : devices.list_folder(folder)) {
+  for (const std::string& entry : files.list(folder)) {
     const std::string device = folder + "/" + entry;
-    const auto name = devices.read_text(device + "/" + files.name);
-    const auto inside = devices.list_folder(device);
-    const bool has_value = std::find(inside.begin(), inside.end(), files.value) != inside.end();
-    if (name && has_value) found.push_back({trimmed(*name), device + "/" + files.value});
+    const auto name = files.read(device + "/" + names.name);
+    const auto inside = files.list(device);
+    const bool has_value = std::find(inside.begin(), inside.end(), names.value) != inside.end();
+    if (name && has_value) found.push_back({trimmed(*name), device + "/" + names.value});
   }
 }
 
@@ -49,7 +49,7 @@ std::optional<double> parse_temperature(const std::string& text) {
 }
 
 std::optional<Thermometer> choose_cpu_thermometer(const std::vector<Thermometer>& thermometers) {
-  for (const char* name : names) {
+  for (const char* name : sensors) {
     const auto found = std::find_if(thermometers.begin(), thermometers.end(),
                                     [name](const Thermometer& t) { return t.name == name; });
     if (found != thermometers.end()) return *found;
@@ -57,11 +57,11 @@ std::optional<Thermometer> choose_cpu_thermometer(const std::vector<Thermometer>
   return std::nullopt;
 }
 
-std::vector<Thermometer> list_thermometers(Devices& devices, const std::string& thermal_dir,
+std::vector<Thermometer> list_thermometers(DeviceFiles& files, const std::string& thermal_dir,
                                            const std::string& hwmon_dir) {
   std::vector<Thermometer> found;
-  list_devices(devices, thermal_dir, {"type", "temp"}, found);
-  list_devices(devices, hwmon_dir, {"name", "temp1_input"}, found);
+  list_devices(files, thermal_dir, {"type", "temp"}, found);
+  list_devices(files, hwmon_dir, {"name", "temp1_input"}, found);
   // The order of a folder's entries is the file system's; ours is not.
   std::sort(found.begin(), found.end(),
             [](const Thermometer& a, const Thermometer& b) { return a.file < b.file; });

@@ -10,16 +10,19 @@
 namespace tocsin {
 namespace {
 
-std::optional<telemetry::Thermometer> find_thermometer(const Context& context,
+std::optional<telemetry::Thermometer> find_thermometer(DeviceFiles& files,
                                                        const TelemetryComponent::Params& params) {
   return telemetry::choose_cpu_thermometer(
-      telemetry::list_thermometers(context.devices, params.thermal_dir, params.hwmon_dir));
+      telemetry::list_thermometers(files, params.thermal_dir, params.hwmon_dir));
 }
 
 }  // namespace
 
 TelemetryComponent::TelemetryComponent(Context& context, const Params& params)
-    : Component(context), params_(params), thermometer_(find_thermometer(context, params)) {
+    : Component(context),
+      params_(params),
+      files_(context.devices().open<DeviceFiles>()),
+      thermometer_(find_thermometer(*files_, params)) {
   wake_every(seconds(params.period_s));
 }
 
@@ -30,7 +33,7 @@ void TelemetryComponent::tick(Time now) {
 }
 
 void TelemetryComponent::report_memory(Time now) {
-  const auto text = read(params_.meminfo_file);
+  const auto text = files_->read(params_.meminfo_file);
   const auto memory = text ? telemetry::parse_meminfo(*text) : std::nullopt;
   if (!memory) return say_once(params_.meminfo_file + " does not tell the memory");
   topic::MemoryUsage::Message message;
@@ -42,7 +45,7 @@ void TelemetryComponent::report_memory(Time now) {
 }
 
 void TelemetryComponent::report_load(Time now) {
-  const auto text = read(params_.stat_file);
+  const auto text = files_->read(params_.stat_file);
   const auto snapshot = text ? telemetry::parse_proc_stat(*text) : std::nullopt;
   if (!snapshot) return say_once(params_.stat_file + " does not tell the CPU load");
   const auto load = meter_.update(*snapshot);
@@ -55,7 +58,7 @@ void TelemetryComponent::report_load(Time now) {
 }
 
 void TelemetryComponent::report_temperature(Time now) {
-  const auto text = thermometer_ ? read(thermometer_->file) : std::nullopt;
+  const auto text = thermometer_ ? files_->read(thermometer_->file) : std::nullopt;
   const auto degrees = text ? telemetry::parse_temperature(*text) : std::nullopt;
   if (!thermometer_) say_once("this computer has no CPU thermometer");
   if (thermometer_ && !degrees) say_once(thermometer_->file + " does not tell a temperature");
@@ -66,10 +69,6 @@ void TelemetryComponent::report_temperature(Time now) {
   if (temperature_.write(std::move(message)) == Status::failed) {
     log().warn("CPU temperature was not sent");
   }
-}
-
-std::optional<std::string> TelemetryComponent::read(const std::string& path) const {
-  return context().devices.get().read_text(path);
 }
 
 void TelemetryComponent::say_once(const std::string& text) {

@@ -8,27 +8,20 @@
 #include <filesystem>
 #include <fstream>
 
+#include "devices/computer.hpp"
+
 namespace tocsin::telemetry {
 namespace {
 
 using ::testing::Optional;
 
-TEST(Temperature, IsInThousandthsOfADegree) {
+TEST(Temperature, IsInThousandthsOfADegreeWithinWhatACpuCanHave) {
   EXPECT_THAT(parse_temperature("47250\n"), Optional(47.25));
-  EXPECT_THAT(parse_temperature("-5000"), Optional(-5.0));
-}
-
-TEST(Temperature, IsNoneWhenTheFileHoldsNoNumber) {
-  EXPECT_FALSE(parse_temperature(""));
-  EXPECT_FALSE(parse_temperature("hot\n"));
-  EXPECT_FALSE(parse_temperature("47250 x"));
-}
-
-TEST(Temperature, IsNoneOutsideWhatACpuCanHave) {
   EXPECT_THAT(parse_temperature("200000"), Optional(200.0));
-  EXPECT_FALSE(parse_temperature("200001"));
   EXPECT_THAT(parse_temperature("-60000"), Optional(-60.0));
-  EXPECT_FALSE(parse_temperature("-60001"));
+  for (const char* none : {"", "hot\n", "47250 x", "200001", "-60001"}) {
+    EXPECT_FALSE(parse_temperature(none)) << none;
+  }
 }
 
 TEST(CpuThermometer, PrefersThePackageToTheBoard) {
@@ -52,7 +45,8 @@ class ThermometerListTest : public ::testing::Test {
     std::ofstream(root_ / file) << text;
   }
   std::vector<Thermometer> list() const {
-    return list_thermometers(real_devices(), root_ / "thermal", root_ / "hwmon");
+    const auto files = this_computer().devices.open<DeviceFiles>();
+    return list_thermometers(*files, root_ / "thermal", root_ / "hwmon");
   }
   std::filesystem::path root_;
 };

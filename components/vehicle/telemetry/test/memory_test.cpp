@@ -20,19 +20,15 @@ TEST(Meminfo, TellsTotalAndAvailable) {
   EXPECT_DOUBLE_EQ(sut->used_percent(), 75.0);
 }
 
-TEST(Meminfo, NeedsBoth) {
-  EXPECT_FALSE(parse_meminfo(""));
-  EXPECT_FALSE(parse_meminfo("MemTotal: 4000 kB\n"));
-  EXPECT_FALSE(parse_meminfo("MemAvailable: 4000 kB\n"));
-}
-
-TEST(Meminfo, IsRejectedWhenDamaged) {
-  EXPECT_FALSE(parse_meminfo("MemTotal: x kB\nMemAvailable: 1 kB\n"));
-  EXPECT_FALSE(parse_meminfo("MemTotal: -4 kB\nMemAvailable: 1 kB\n"));
-  EXPECT_FALSE(parse_meminfo("MemTotal: 4\nMemAvailable: 1 kB\n"));
-  EXPECT_FALSE(parse_meminfo("MemTotal: 4kB\nMemAvailable: 1 kB\n"));
-  EXPECT_FALSE(parse_meminfo("MemTotal: 0 kB\nMemAvailable: 0 kB\n"));
-  EXPECT_FALSE(parse_meminfo("MemTotal: 18014398509481985 kB\nMemAvailable: 1 kB\n"));
+TEST(Meminfo, IsRejectedWhenItIsNotWholeOrDamaged) {
+  for (const char* bad :
+       {"", "MemTotal: 4000 kB\n", "MemAvailable: 4000 kB\n",
+        "MemTotal: x kB\nMemAvailable: 1 kB\n", "MemTotal: -4 kB\nMemAvailable: 1 kB\n",
+        "MemTotal: 4\nMemAvailable: 1 kB\n", "MemTotal: 4kB\nMemAvailable: 1 kB\n",
+        "MemTotal: 0 kB\nMemAvailable: 0 kB\n",
+        "MemTotal: 18014398509481985 kB\nMemAvailable: 1 kB\n"}) {
+    EXPECT_FALSE(parse_meminfo(bad)) << bad;
+  }
 }
 
 TEST(Memory, StaysWithinItsRange) {

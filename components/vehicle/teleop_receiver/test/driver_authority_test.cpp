@@ -38,23 +38,33 @@ TEST_F(DriverAuthorityTest, AnotherIsRefusedWhileHeDrives) {
   EXPECT_TRUE(sut_.follows("anna", now_));
 }
 
-TEST_F(DriverAuthorityTest, WhoLetsGoForAWhileLeavesTheWheelToTheNext) {
+TEST_F(DriverAuthorityTest, WhoLetsGoForAWhileLeavesControlToTheNext) {
   drive("anna", 1);
   EXPECT_FALSE(sut_.follows("ben", now_ + seconds(1.8)));
   EXPECT_TRUE(sut_.follows("ben", now_ + seconds(2)));
   EXPECT_EQ(sut_.driver(), "ben");
 }
 
-TEST_F(DriverAuthorityTest, TheDriverGivesTheWheelToWhoAsks) {
+TEST_F(DriverAuthorityTest, TheDriverAloneGivesControlToWhoAskedFirst) {
   drive("anna", 1);
-  sut_.ask("ben", now_);
+  for (const char* name : {"ben", "carl", "anna"}) sut_.ask(name, now_);
   EXPECT_EQ(sut_.asked_by(), "ben");
+  for (const char* name : {"ben", "carl"}) sut_.give(name, now_);
   EXPECT_TRUE(sut_.follows("anna", now_)) << "until she answers";
   sut_.give("anna", now_);
   EXPECT_EQ(sut_.driver(), "ben");
   EXPECT_FALSE(sut_.asked_by());
   EXPECT_FALSE(sut_.follows("anna", now_));
   EXPECT_TRUE(sut_.follows("ben", now_ + seconds(1.9)));
+}
+
+TEST_F(DriverAuthorityTest, ControlThatIsFreeIsOfWhoAsks) {
+  sut_.ask("anna", t0);
+  EXPECT_EQ(sut_.driver(), "anna");
+  EXPECT_FALSE(sut_.follows("ben", t0 + seconds(1)));
+  sut_.give("anna", t0 + seconds(1));
+  EXPECT_FALSE(sut_.driver());
+  EXPECT_TRUE(sut_.follows("ben", t0 + seconds(1)));
 }
 
 TEST_F(DriverAuthorityTest, WhoDoesNotAnswerLosesIt) {
@@ -83,35 +93,6 @@ TEST_F(DriverAuthorityTest, ADriverWhoLetsGoWhileAskedHandsOver) {
   EXPECT_EQ(sut_.driver(), "ben");
   sut_.settle(now_ + seconds(4));
   EXPECT_FALSE(sut_.driver()) << "he does not drive either";
-}
-
-TEST_F(DriverAuthorityTest, AskingForAFreeWheelTakesIt) {
-  sut_.ask("ben", t0);
-  EXPECT_EQ(sut_.driver(), "ben");
-  EXPECT_FALSE(sut_.follows("anna", t0 + seconds(1)));
-}
-
-TEST_F(DriverAuthorityTest, TheFirstWhoAsksIsTheOneWhoWaits) {
-  drive("anna", 1);
-  sut_.ask("ben", now_);
-  sut_.ask("carl", now_);
-  sut_.ask("anna", now_);
-  EXPECT_EQ(sut_.asked_by(), "ben");
-}
-
-TEST_F(DriverAuthorityTest, OnlyTheDriverCanGive) {
-  drive("anna", 1);
-  sut_.ask("ben", now_);
-  sut_.give("ben", now_);
-  sut_.give("carl", now_);
-  EXPECT_EQ(sut_.driver(), "anna");
-}
-
-TEST_F(DriverAuthorityTest, GivingWhatNobodyAsksForFreesIt) {
-  drive("anna", 1);
-  sut_.give("anna", now_);
-  EXPECT_FALSE(sut_.driver());
-  EXPECT_TRUE(sut_.follows("ben", now_));
 }
 
 }  // namespace

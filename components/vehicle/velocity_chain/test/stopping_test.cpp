@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 
 #include "velocity_chain.hpp"
 
@@ -29,41 +30,27 @@ Stop stop_after(VelocityChain& sut, const char* what, const std::function<void()
   return stop;
 }
 
-TEST(Stopping, WhenTheSourceDies) {
-  VelocityChain sut(open_floor());
-  const Stop stop = stop_after(sut, "source dies", [&] { sut.alive.source = false; });
-  EXPECT_LT(stop.time_s, 0.85);
-  EXPECT_LT(stop.way_m, 0.3);
-}
-
-TEST(Stopping, WhenTheMuxDies) {
-  VelocityChain sut(open_floor());
-  const Stop stop = stop_after(sut, "mux dies", [&] { sut.alive.mux = false; });
-  EXPECT_LT(stop.time_s, 0.85);
-  EXPECT_LT(stop.way_m, 0.3);
-}
-
-TEST(Stopping, WhenTheSmootherDies) {
-  VelocityChain sut(open_floor());
-  const Stop stop = stop_after(sut, "smoother dies", [&] { sut.alive.smoother = false; });
-  EXPECT_LT(stop.time_s, 1.1);
-  EXPECT_LT(stop.way_m, 0.46);
-}
-
-TEST(Stopping, WhenTheSafetyControllerDies) {
-  VelocityChain sut(open_floor());
-  const Stop stop = stop_after(sut, "safety controller dies", [&] { sut.alive.safety = false; });
-  EXPECT_LT(stop.time_s, 1.1);
-  EXPECT_LT(stop.way_m, 0.46);
-}
-
-TEST(Stopping, WhenTheirProcessDiesByTheTimeoutOfTheBase) {
-  ModelParams base;
-  base.command_timeout_s = 0.5;
-  VelocityChain sut(open_floor(), {}, base);
-  const Stop stop = stop_after(sut, "process dies", [&] { sut.alive.driver = false; });
-  EXPECT_LT(stop.time_s, 0.95);
-  EXPECT_LT(stop.way_m, 0.36);
+TEST(Stopping, WhenAPartDies) {
+  using Alive = VelocityChain::Alive;
+  struct {
+    const char* what;
+    bool Alive::*part;
+    double within_s;
+    double within_m;
+  } const deaths[] = {{"source", &Alive::source, 0.85, 0.3},
+                      {"mux", &Alive::mux, 0.85, 0.3},
+                      {"smoother", &Alive::smoother, 1.1, 0.46},
+                      {"safety controller", &Alive::safety, 1.1, 0.46},
+                      {"their process, by the timeout of the base", &Alive::driver, 0.95, 0.36}};
+  for (const auto& [what, part, within_s, within_m] : deaths) {
+    ModelParams base;
+    if (part == &Alive::driver) base.command_timeout_s = 0.5;
+    VelocityChain sut(open_floor(), {}, base);
+    bool& alive = sut.alive.*part;
+    const Stop stop = stop_after(sut, what, [&] { alive = false; });
+    EXPECT_LT(stop.time_s, within_s) << what;
+    EXPECT_LT(stop.way_m, within_m) << what;
+  }
 }
 
 TEST(Stopping, AtTheEmergencyStop) {

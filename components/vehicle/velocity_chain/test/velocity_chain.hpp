@@ -57,7 +57,6 @@ class VelocityChain {
   Time now = Time{} + seconds(100);
   Alive alive;
   BaseModel model;
-  Odometry odometry{OdometryParams{}};
   std::uint8_t bumper = 0;
 
  private:
@@ -81,7 +80,6 @@ class VelocityChain {
   void read(ByteView frame) {
     DecodeCounts counts;
     const Feedback got = decode_feedback(frame.part(3, frame.size - 4), counts);
-    odometry.update(*got.core, got.inertia);
     bumper = got.core->bumper;
     safety_.on_hazards({got.core->bumper, got.core->cliff, got.core->wheel_drop}, now);
   }

@@ -41,13 +41,6 @@ class VelocitySmootherComponentTest : public ::testing::Test {
   VelocitySmootherComponent sut_{context_, {}};
 };
 
-TEST_F(VelocitySmootherComponentTest, AcceleratesWithTheLimit) {
-  const auto all = drive(0.3, 1.0);
-  ASSERT_EQ(all.size(), 20U);
-  EXPECT_NEAR(all[0], 0.015, 1e-9);
-  EXPECT_NEAR(all[9], 0.15, 1e-9);
-}
-
 TEST_F(VelocitySmootherComponentTest, RepeatsASteadyVelocityOftenEnoughForTheDriver) {
   drive(0.3, 2);
   const auto all = drive(0.3, 10);

@@ -14,8 +14,9 @@
 #include <string>
 #include <vector>
 
-#include "decision/calibration.hpp"
+#include "decision/design/calibration.hpp"
 #include "foundation/csv_table.hpp"
+#include "recording.hpp"
 
 namespace tocsin::decision {
 namespace {
@@ -38,17 +39,10 @@ Link two_state(const std::string& name, const TwoStateLink& link) {
 
 /// A recorded quality, one a second (column qni), as a link of resampled blocks.
 Link trace(const std::string& path) {
-  const CsvTable table = CsvTable::read(path);
-  const std::vector<double> recording = table.numbers("qni");
-  double mean = 0;
-  double variance = 0;
-  for (const double x : recording) mean += x / static_cast<double>(recording.size());
-  for (const double x : recording) {
-    variance += (x - mean) * (x - mean) / static_cast<double>(recording.size());
-  }
-  const Normal good{mean, std::sqrt(variance)};
-  return {path.substr(path.find_last_of('/') + 1), BlockLink{recording, 30},
-          NormalLlr(good, {mean - 2 * good.sd, good.sd})};
+  const std::vector<double> recording = CsvTable::read(path).numbers("qni");
+  const Normal good = law_of(recording);
+  return {name_of(path), BlockLink{recording, 30},
+          NormalLlr(good, {good.mean - 2 * good.sd, good.sd})};
 }
 
 Link link_of(const std::string& name) {
@@ -72,8 +66,9 @@ double log_run_length(const std::array<double, 3>& p, const Link& link, double t
                       const Options& options) {
   const Ar1Link model{{p[0], std::exp(p[1]) / std::sqrt(1 - p[2] * p[2])}, p[2]};
   const auto source = source_of(model, 31);
-  return std::log(FalseAlarmCurve(*source, Detector::cusum(link.llr), {2000, 3 * options.wanted})
-                      .run_length(threshold));
+  CusumDetector cusum(link.llr);
+  return std::log(
+      FalseAlarmCurve(*source, cusum, {2000, 3 * options.wanted}).run_length(threshold));
 }
 
 /// The least standard deviation that any unbiased estimate of ln(run length) from such a recording
@@ -128,12 +123,13 @@ double median(std::vector<double> values) {
 
 Score play(const Link& link, const Options& options) {
   const auto truth_source = source_of(link.model, 424242);
-  const FalseAlarmCurve truth(*truth_source, Detector::cusum(link.llr), {3000, 3 * options.wanted});
+  const auto cusum = std::make_shared<CusumDetector>(link.llr);
+  const FalseAlarmCurve truth(*truth_source, *cusum, {3000, 3 * options.wanted});
   Score score;
   score.least_sd = least_sd(link, truth.threshold_for(options.wanted).value_or(1e-6), options);
   for (int i = 0; i < options.cases; ++i) {
     const auto source = source_of(link.model, 77000 + static_cast<std::uint64_t>(i));
-    CalibrationRequest request{{}, Detector::cusum(link.llr), options.wanted};
+    CalibrationRequest request{{}, cusum, options.wanted};
     for (std::size_t n = 0; n < options.samples; ++n) request.qualities.push_back(source->next());
     request.replicates = 30;
     request.paths = 1000;

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "decision/research/scenario.hpp"
+#include "decision/design/scenario.hpp"
 
 namespace tocsin::decision {
 namespace {
@@ -27,7 +27,7 @@ struct Entry {
 
 PolicyParams with(const std::string& policy) {
   PolicyParams params;
-  params.policy = policy;
+  params.policy = value_of<PolicyKind>(policy).value();
   params.th_max_s = 86400;  // the scenarios know samples only
   return params;
 }
@@ -52,7 +52,7 @@ Entry refer(Entry entry, std::vector<double> reference, std::vector<double> erro
   return entry;
 }
 
-/// Both detectors clipped at 4 nats; at this alpha two bad samples are needed.
+/// Ratios clipped at 4 nats; at this alpha two bad samples are needed.
 Entry clipped(const char* name, const char* policy) {
   Entry entry{name, with(policy), {}, {}};
   entry.params.llr_clip = 4;
@@ -63,12 +63,6 @@ Entry clipped(const char* name, const char* policy) {
 Entry clipped_belief() {
   Entry entry{"belief clip 4", with("belief"), {}, {}};
   entry.params.llr_clip = 4;
-  return entry;
-}
-
-Entry mild() {
-  Entry entry{"tocp_reverse + mild", with("tocp_reverse"), {}, {}};
-  entry.params.mild_alpha = 5.35;
   return entry;
 }
 
@@ -98,7 +92,6 @@ std::vector<Entry> entries() {
             {.23, .42, .22, .34, .39}),
       refer({"tocp_reverse", with("tocp_reverse"), {}, {}}, {11.24, 9.26, 23.24, 44.21, 51.80},
             {.05, .04, .06, .21, .28}),
-      mild(),
       clipped("tocp_reverse clip 4", "tocp_reverse"),
       clipped("tocp_dsp .95 clip 4", "tocp_dsp"),
       clipped_belief(),

@@ -14,8 +14,9 @@
 #include <string>
 #include <vector>
 
-#include "decision/link_model.hpp"
+#include "decision/design/link_model.hpp"
 #include "foundation/csv_table.hpp"
+#include "recording.hpp"
 
 namespace tocsin::decision {
 namespace {
@@ -39,64 +40,39 @@ const std::vector<Fall> falls{{"sudden, 4.4 sd", [](int) { return 4.353; }},
                               {"ramp, 0.1 sd a sample", [](int n) { return 0.1 * n; }},
                               {"ramp, 0.02 sd a sample", [](int n) { return 0.02 * n; }}};
 
-/// One detector, or two of which either may alarm.
 struct Entry {
   std::string name;
-  std::vector<Detector> parts;
-  std::vector<double> shares;  ///< of the false alarms
-  std::vector<double> thresholds;
-
-  bool add(double x) {
-    bool alarm = false;
-    for (std::size_t i = 0; i < parts.size(); ++i) alarm |= parts[i].add(x) >= thresholds[i];
-    return alarm;
-  }
+  std::shared_ptr<Detector> detector;
 };
 
 std::vector<Entry> entries(const Normal& good) {
   const double s = good.sd / thesis_good.sd;
   const Normal bad{good.mean - 4.353 * good.sd, thesis_bad.sd * s};
   const Normal mild{good.mean - 1.1197 * good.sd, good.sd};
-  const Detector cusum = Detector::cusum(NormalLlr(good, bad));
-  const Detector mild_cusum = Detector::cusum(NormalLlr(good, mild));
-  const Detector focus = Detector::focus({Family::normal, {good.mean, good.sd, 0}});
-  return {{"CUSUM", {cusum}, {1}, {}},
-          {"CUSUM clipped at 4", {Detector::cusum(NormalLlr(good, bad, 4))}, {1}, {}},
-          {"Shiryaev-Roberts", {Detector::shiryaev_roberts(NormalLlr(good, bad))}, {1}, {}},
-          {"FOCuS", {focus}, {1}, {}},
-          {"CUSUM for mild alone", {mild_cusum}, {1}, {}},
-          {"CUSUM, mild_share 0.83", {cusum, mild_cusum}, {0.17, 0.83}, {}}};
+  return {{"CUSUM", std::make_shared<CusumDetector>(NormalLlr(good, bad))},
+          {"CUSUM clipped at 4", std::make_shared<CusumDetector>(NormalLlr(good, bad, 4))},
+          {"FOCuS", std::make_shared<Focus>(good)},
+          {"CUSUM for 70", std::make_shared<CusumDetector>(NormalLlr(good, mild))}};
 }
 
-/// False when no threshold has so few samples between false alarms.
-bool set_thresholds(const Link& link, double samples, Entry& entry) {
-  for (std::size_t i = 0; i < entry.parts.size(); ++i) {
-    const double wanted = samples / entry.shares[i];
-    const auto source = source_of(link.model, 4711);
-    const FalseAlarmCurve curve(*source, entry.parts[i], {1000, 3 * wanted});
-    const auto threshold = curve.threshold_for(wanted);
-    if (!threshold) return false;
-    entry.thresholds.push_back(*threshold);
-  }
-  return true;
-}
-
-double delay(const Link& link, const Entry& start, const Fall& fall, int runs) {
+/// Mean samples from the fall to the statistic `threshold`.
+double delay(const Link& link, Detector& detector, double threshold, const Fall& fall, int runs) {
   constexpr int before = 100;
   constexpr int longest = 20000;
   const auto source = source_of(link.model, 99);
   double samples = 0;
   int counted = 0;
   for (int i = 0; i < runs; ++i) {
-    Entry entry = start;
+    detector.reset();
     source->restart();
     bool alarm = false;
-    for (int n = 0; n < before && !alarm; ++n) alarm = entry.add(source->next());
+    for (int n = 0; n < before && !alarm; ++n) alarm = detector.add(source->next()) >= threshold;
     if (alarm) continue;
     int n = 0;
     while (!alarm && n < longest) {
       ++n;
-      alarm = entry.add(std::clamp(source->next() - fall.depth(n) * link.good.sd, 0.0, 100.0));
+      const double quality = source->next() - fall.depth(n) * link.good.sd;
+      alarm = detector.add(std::clamp(quality, 0.0, 100.0)) >= threshold;
     }
     samples += n;
     ++counted;
@@ -111,14 +87,17 @@ void print(const Link& link, double samples, int runs) {
   std::printf("\n| --- | --- |");
   for (std::size_t i = 0; i < falls.size(); ++i) std::printf(" --- |");
   for (Entry& entry : entries(link.good)) {
-    if (!set_thresholds(link, samples, entry)) {
+    const auto source = source_of(link.model, 4711);
+    const auto threshold =
+        FalseAlarmCurve(*source, *entry.detector, {1000, 3 * samples}).threshold_for(samples);
+    if (!threshold) {
       std::printf("\n| %s | none is so low |", entry.name.c_str());
       continue;
     }
-    std::printf("\n| %s |", entry.name.c_str());
-    for (const double one : entry.thresholds) std::printf(" %.2f", one);
-    std::printf(" |");
-    for (const Fall& fall : falls) std::printf(" %.3g |", delay(link, entry, fall, runs));
+    std::printf("\n| %s | %.2f |", entry.name.c_str(), *threshold);
+    for (const Fall& fall : falls) {
+      std::printf(" %.3g |", delay(link, *entry.detector, *threshold, fall, runs));
+    }
     std::fflush(stdout);
   }
   std::printf("\n");
@@ -126,14 +105,7 @@ void print(const Link& link, double samples, int runs) {
 
 Link trace(const std::string& path) {
   const std::vector<double> recording = CsvTable::read(path).numbers("qni");
-  const double n = static_cast<double>(recording.size());
-  double mean = 0;
-  double variance = 0;
-  for (const double x : recording) mean += x / n;
-  for (const double x : recording) variance += (x - mean) * (x - mean) / n;
-  return {path.substr(path.find_last_of('/') + 1),
-          BlockLink{recording, 30},
-          {mean, std::sqrt(variance)}};
+  return {name_of(path), BlockLink{recording, 30}, law_of(recording)};
 }
 
 }  // namespace

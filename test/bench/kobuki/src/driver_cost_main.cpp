@@ -15,6 +15,7 @@
 
 #include "feeder.hpp"
 #include "foundation/error.hpp"
+#include "measure.hpp"
 #include "odom_watch.hpp"
 #include "runtime/middleware/component_library.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
@@ -22,14 +23,14 @@
 namespace tocsin::bench {
 namespace {
 
-double cpu_s(clockid_t clock) {
+double clock_s(clockid_t clock) {
   timespec time{};
   ::clock_gettime(clock, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 struct Result {
-  std::vector<double> latency_us;
+  Series latency;
   double thread_share = 0;   ///< of a core, the thread that reads
   double process_share = 0;  ///< all threads, the feeder's too
 };
@@ -37,13 +38,13 @@ struct Result {
 /// Calls `once(until)` again and again for `duration_s` and measures what it takes.
 template <class Once>
 void run(double duration_s, Result& result, const Once& once) {
-  const double thread = cpu_s(CLOCK_THREAD_CPUTIME_ID);
-  const double process = cpu_s(CLOCK_PROCESS_CPUTIME_ID);
-  result.latency_us.clear();
+  const double thread = clock_s(CLOCK_THREAD_CPUTIME_ID);
+  const double process = clock_s(CLOCK_PROCESS_CPUTIME_ID);
+  result.latency = {};
   const std::int64_t end = now_ns() + static_cast<std::int64_t>(1e9 * duration_s);
   while (now_ns() < end) once();
-  result.thread_share = (cpu_s(CLOCK_THREAD_CPUTIME_ID) - thread) / duration_s;
-  result.process_share = (cpu_s(CLOCK_PROCESS_CPUTIME_ID) - process) / duration_s;
+  result.thread_share = (clock_s(CLOCK_THREAD_CPUTIME_ID) - thread) / duration_s;
+  result.process_share = (clock_s(CLOCK_PROCESS_CPUTIME_ID) - process) / duration_s;
 }
 
 Result bare_loop(double duration_s) {
@@ -55,7 +56,7 @@ Result bare_loop(double duration_s) {
     pollfd asked{fd, POLLIN, 0};
     char bytes[1024];
     if (::poll(&asked, 1, 100) > 0 && ::read(fd, bytes, sizeof bytes) > 0) {
-      result.latency_us.push_back(1e-3 * static_cast<double>(now_ns() - feeder.sent_ns()));
+      result.latency.add(now_ns() - feeder.sent_ns());
     }
   });
   ::close(fd);
@@ -86,9 +87,7 @@ Result driver(double duration_s) {
   options.host_domain = 187;
   const auto bus = make_fast_dds_bus(options);
   Result result;
-  OdomWatch watch(*bus, [&] {
-    result.latency_us.push_back(1e-3 * static_cast<double>(now_ns() - feeder.sent_ns()));
-  });
+  OdomWatch watch(*bus, [&] { result.latency.add(now_ns() - feeder.sent_ns()); });
   Context context{watch, "kobuki_driver", Role::uxv};
   YAML::Node parameters;
   parameters["device_port"] = feeder.path();
@@ -100,17 +99,10 @@ Result driver(double duration_s) {
   return result;
 }
 
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
-}
-
 void print(const char* name, const Result& result) {
-  std::printf("%-22s %6zu  %8.1f %8.1f %8.1f   %6.2f %%   %6.2f %%\n", name,
-              result.latency_us.size(), quantile(result.latency_us, 0.5),
-              quantile(result.latency_us, 0.99), quantile(result.latency_us, 1),
-              100 * result.thread_share, 100 * result.process_share);
+  const auto us = [&](double share) { return 1e-3 * result.latency.percentile(share); };
+  std::printf("%-22s %6zu  %8.1f %8.1f %8.1f   %6.2f %%   %6.2f %%\n", name, result.latency.size(),
+              us(0.5), us(0.99), us(1), 100 * result.thread_share, 100 * result.process_share);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "foundation/error.hpp"
 #include "kobuki_protocol/feedback.hpp"
+#include "measure.hpp"
 
 namespace tocsin::bench {
 namespace {
@@ -34,8 +35,6 @@ kobuki::Frame frame_number(int i) {
 }
 
 }  // namespace
-
-std::int64_t now_ns() { return std::chrono::steady_clock::now().time_since_epoch().count(); }
 
 Feeder::Feeder() : master_(::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK)) {
   if (master_ < 0 || ::grantpt(master_) != 0 || ::unlockpt(master_) != 0) {

@@ -8,8 +8,6 @@
 
 namespace tocsin::bench {
 
-[[nodiscard]] std::int64_t now_ns();
-
 /// A base that drives: one whole frame of 81 bytes every 20 ms into a pseudo-terminal.
 class Feeder {
  public:

@@ -5,12 +5,9 @@
 // config/radio without its end
 #include <fmt/format.h>
 #include <sys/mman.h>
-#include <unistd.h>
 
 #include <chrono>
-#include <fstream>
 #include <new>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -40,20 +37,6 @@ struct Trial {
   std::string channel = "classroom";
   std::string position = "pos 1 1";
 };
-
-/// [s] that a process has computed, by /proc.
-double cpu_s(pid_t process) {
-  std::ifstream file(fmt::format("/proc/{}/stat", process));
-  std::string text;
-  std::getline(file, text);
-  std::istringstream behind_name(text.substr(text.rfind(')') + 1));
-  std::string skipped;
-  for (int i = 0; i < 11; ++i) behind_name >> skipped;
-  double user = 0;
-  double system = 0;
-  behind_name >> user >> system;
-  return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
-}
 
 /// A log in memory that children share.
 class SharedLog {
@@ -125,10 +108,10 @@ Cost measure_one(const Stack& stack, const Trial& trial, const char* way, Place 
   SharedLog log;
   const Peer first(at_robot, [&] { bench::be_foreign(robot, true, *log); });
   const Peer second(at_station, [&] { bench::be_foreign(tools, false, *log); });
-  const double before = cpu_s(at_robot) + cpu_s(at_station);
+  const double before = bench::cpu_s(at_robot) + bench::cpu_s(at_station);
   const std::int64_t began = wall_now_ns();
   observe(stack, *log, trial);
-  const double cores = (cpu_s(at_robot) + cpu_s(at_station) - before) /
+  const double cores = (bench::cpu_s(at_robot) + bench::cpu_s(at_station) - before) /
                        (1e-9 * static_cast<double>(wall_now_ns() - began));
   print(way, *log, trial.seconds);
   return {megabytes(*log) / trial.seconds, cores};

@@ -3,13 +3,9 @@
 // still, in turns with and without it, and peers on both hosts that write 200 samples a second.
 // usage: link_secured [TURNS [SECONDS]]
 #include <fmt/format.h>
-#include <unistd.h>
-
 #include <array>
 #include <ctime>
-#include <fstream>
 #include <functional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -30,19 +26,6 @@ using Way = Crossings::Way;
 constexpr std::array<const char*, 2> routers{"uxv/link", "gcs/link"};
 constexpr double written_per_s = 200;
 constexpr double late_ms = 250;
-
-/// CPU time of a process and its threads so far [s].
-double cpu_of(pid_t process) {
-  std::ostringstream text;
-  text << std::ifstream("/proc/" + std::to_string(process) + "/stat").rdbuf();
-  std::istringstream words(text.str().substr(text.str().rfind(')') + 1));
-  std::string word;
-  for (int field = 3; field < 14; ++field) words >> word;
-  double user = 0;
-  double system = 0;
-  words >> user >> system;  // proc(5): fields 14 and 15
-  return (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
-}
 
 /// Sums of all turns of one kind.
 struct Figures {
@@ -78,11 +61,12 @@ void measure(const std::string& mission, const std::string& keystore, seconds ti
   std::this_thread::sleep_for(seconds(5));
   const std::array<std::size_t, 2> before{crossings.all(Way::up).size(),
                                           crossings.all(Way::down).size()};
-  std::array<double, 2> cpu{cpu_of(stack.pid(routers[0])), cpu_of(stack.pid(routers[1]))};
+  std::array<double, 2> cpu{bench::cpu_s(stack.pid(routers[0])),
+                            bench::cpu_s(stack.pid(routers[1]))};
   const std::int64_t begin = wall_now_ns();
   std::this_thread::sleep_for(time);
   for (std::size_t i = 0; i < cpu.size(); ++i) {
-    figures.cpu_s[i] += cpu_of(stack.pid(routers[i])) - cpu[i];
+    figures.cpu_s[i] += bench::cpu_s(stack.pid(routers[i])) - cpu[i];
   }
   const double taken_s = 1e-9 * static_cast<double>(wall_now_ns() - begin);
   figures.time_s += taken_s;

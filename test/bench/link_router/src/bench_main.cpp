@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the link router's steps buy: the traffic and the drive of the thesis's missions, as the
 // simulated components make them, over the thesis's radio with a router on each side.
-// usage: link_router_bench [SEEDS [SECONDS]] [only=VARIANT] [demo=1] [each=1] [trace=1]
+// usage: link_router_bench [SEEDS [SECONDS]] [only=VARIANT] [demo=1] [each=1]
 //                          [CLASS=DSCP ...] [PARAMETER=VALUE ...]
 // demo: the missions as bringup/demo plays them. each: a line for each seed, too.
 // PARAMETER is one of LinkRouterParams. Mean of the seeds.
@@ -15,7 +15,6 @@
 #include "foundation/program.hpp"
 #include "link_run.hpp"
 #include "mission_traffic.hpp"
-#include "statistics.hpp"
 
 namespace {
 
@@ -75,9 +74,9 @@ void print_head() {
 void print(const std::string& name, const std::vector<Figures>& runs) {
   std::printf("%-34s", name.c_str());
   for (const Column& column : columns) {
-    std::vector<double> values;
-    for (const Figures& run : runs) values.push_back(run.*column.value);
-    std::printf(" %10.3g", mean_of(values).mean);
+    double sum = 0;
+    for (const Figures& run : runs) sum += run.*column.value;
+    std::printf(" %10.3g", sum / static_cast<double>(runs.size()));
   }
   std::printf("\n");
   std::fflush(stdout);
@@ -109,7 +108,6 @@ struct Options {
   std::string only;  ///< name of a variant; empty: all
   bool demo = false;
   bool each = false;
-  bool trace = false;
   router::LinkRouterParams params;
   DscpOfClass dscp;
 };
@@ -132,8 +130,6 @@ Options options_of(const std::vector<std::string>& words) {
       options.demo = value == "1";
     } else if (name == "each") {
       options.each = value == "1";
-    } else if (name == "trace") {
-      options.trace = value == "1";
     } else if (const auto traffic_class = traffic_class_of(name)) {
       options.dscp.set(*traffic_class, static_cast<std::uint8_t>(std::stoi(value)));
     } else {
@@ -152,7 +148,6 @@ Steps steps_of(const Variant& variant, const Options& options) {
   steps.adaptation = variant.adaptation;
   steps.repair = variant.repair;
   steps.categories = variant.categories;
-  steps.trace = options.trace;
   steps.params = options.params;
   steps.dscp = options.dscp;
   if (!variant.priority) {  // everything goes to the radio at once

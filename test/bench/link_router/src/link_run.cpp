@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
 #include "router_radio.hpp"
-#include "statistics.hpp"
 
 namespace tocsin::bench {
 namespace {
@@ -18,6 +16,14 @@ constexpr double size_share = 0.9;
 
 std::size_t side_of(radio::Direction direction) {
   return direction == radio::Direction::uplink ? 0 : 1;
+}
+
+/// The value below which `share` of them lie; 0 of none. Sorts them.
+double quantile(std::vector<double>& values, double share) {
+  if (values.empty()) return 0;
+  const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + place, values.end());
+  return values[static_cast<std::size_t>(place)];
 }
 
 /// A sample that a component wrote.
@@ -62,7 +68,6 @@ class LinkRun {
     for (Time now = traffic_.begin; now < traffic_.end;) {
       play_due(now);
       routers_.serve(now);
-      if (steps_.trace) trace(now);
       const Time next = std::min({next_input(), routers_.next_event(now), traffic_.end});
       now = std::max(next, now + Duration{1});
       routers_.advance(now, deliver);
@@ -127,18 +132,6 @@ class LinkRun {
     written.push_back({now, false, {}, bytes});
     sender.offer(static_cast<router::StreamId>(write.source),
                  {{write.source, written.size(), now}, bytes, nullptr}, now);
-  }
-
-  void trace(Time now) {
-    if (now < next_trace_) return;
-    next_trace_ = now + std::chrono::seconds(1);
-    const auto state = routers_.sender(0).state(now);
-    std::printf(
-        "%6.1f s: SNR %5.1f dB, capacity %7.0f B/s, backlog %5.3f s, loss %.3f, scale %.2f, "
-        "%zu silent, %zu frames queued\n",
-        to_seconds(now - traffic_.begin), channel_.propagation().mean_snr_db(),
-        state.capacity_bytes_per_s, to_seconds(state.backlog), state.loss, state.scale,
-        state.silent_peers, channel_.report(now).uplink.queued);
   }
 
   void on_delivered(router::StreamId stream, const router::Origin& origin, Time now) {
@@ -231,7 +224,6 @@ class LinkRun {
   std::size_t echo_ = 0;
   std::size_t gate_ = 0;
   Time next_age_{};
-  Time next_trace_{};
   std::optional<Time> location_;
   std::vector<double> ages_;
 };

@@ -14,14 +14,12 @@ constexpr Duration late_after = std::chrono::milliseconds(250);
 
 /// Which of the router's steps are on.
 struct Steps {
-  bool priority = true;    ///< strict classes, bulk waits for a short queue
   bool adaptation = true;  ///< the camera follows its budget
   bool repair = true;
   bool categories = false;  ///< the radio has the queues of 802.11e
   DscpOfClass dscp;
   bool pause = false;  ///< the gates of the recorded policy
   router::LinkRouterParams params;
-  bool trace = false;  ///< print what the estimator thinks, each second
 };
 
 /// What users feel of one run; of the vehicle's samples, after the first 12 s.

@@ -22,7 +22,7 @@ RouterRadio::RouterRadio(radio::RadioChannel& channel, const Setup& setup, Time 
     : channel_(channel), dscp_(setup.dscp) {
   for (std::size_t side = 0; side < 2; ++side) {
     senders_[side] = std::make_unique<router::LinkSender>(setup.params);
-    receivers_[side] = std::make_unique<router::LinkReceiver>(setup.params);
+    receivers_[side] = std::make_unique<router::LinkReceiver>();
     senders_[side]->on_peer(peer, 2 - side, start);
     receivers_[side]->on_peer(peer, 2 - side);
   }

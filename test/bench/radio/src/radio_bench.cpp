@@ -89,36 +89,6 @@ void radio(benchmark::State& state) {
 }
 BENCHMARK(radio)->ArgNames({"snr_db", "camera_100kbps"})->ArgsProduct({{6, 15, 30}, {0, 25}});
 
-/// Making one run: tables, waves and background load.
-void construction(benchmark::State& state) {
-  const auto walls = forty_walls();
-  ChannelParams params;
-  params.background_load = 0.3;
-  std::uint64_t seed = 0;
-  for (auto _ : state) {
-    RadioChannel channel(params, walls, ++seed, Time{});
-    benchmark::DoNotOptimize(channel.next_event());
-  }
-}
-BENCHMARK(construction);
-
-/// A move of 1 cm: walls, shadowing.
-void movement(benchmark::State& state) {
-  RadioChannel channel({}, forty_walls(), 1, Time{});
-  double x_m = 0;
-  for (auto _ : state) channel.set_position(x_m = std::fmod(x_m + 0.01, 20), 1.3);
-}
-BENCHMARK(movement);
-
-/// One evaluation of fading.
-void fading(benchmark::State& state) {
-  RicianFading sut(0.123, 1, 1);
-  sut.move_to(1, 2, 3);
-  double t_s = 0;
-  for (auto _ : state) benchmark::DoNotOptimize(sut.gain_db(t_s += 0.002));
-}
-BENCHMARK(fading);
-
 }  // namespace
 }  // namespace tocsin::radio
 

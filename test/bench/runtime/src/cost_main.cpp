@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How late a deadline wakes a component, what a start takes.
-// usage: runtime_cost [--quick] [deadline|restart|start]
+// usage: runtime_cost [--quick] [deadline|start]
 #include <time.h>
 
 #include <cstdio>
@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "bench_bus.hpp"
-#include "runner/runner.hpp"
+#include "runtime/middleware/runner.hpp"
 #include "start_cost.hpp"
 
 namespace tocsin::bench {
@@ -61,7 +61,6 @@ int measure(bool quick, const std::string& part) {
   const auto wanted = [&part](const char* name) { return part.empty() || part == name; };
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
   if (wanted("deadline")) print_deadline(quick ? 500 : 4000);
-  if (wanted("restart")) print_restarts(quick ? 20 : 100);
   if (wanted("start")) print_start_costs();
   return 0;
 }

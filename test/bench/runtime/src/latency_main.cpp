@@ -11,7 +11,7 @@
 
 #include "bench_bus.hpp"
 #include "raw_dds.hpp"
-#include "runner/runner.hpp"
+#include "runtime/middleware/runner.hpp"
 #include "turns.hpp"
 
 namespace tocsin::bench {

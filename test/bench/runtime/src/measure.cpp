@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "measure.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -59,6 +61,18 @@ long proc_number(const std::string& file, const std::string& key) {
     return value;
   }
   return 0;
+}
+
+double cpu_s(int process) {
+  std::ostringstream text;
+  text << std::ifstream("/proc/" + std::to_string(process) + "/stat").rdbuf();
+  std::istringstream words(text.str().substr(text.str().rfind(')') + 1));
+  std::string word;
+  for (int field = 3; field < 14; ++field) words >> word;
+  double user = 0;
+  double system = 0;
+  words >> user >> system;  // proc(5): fields 14 and 15
+  return (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
 }
 
 std::string output_of(const std::string& command) {

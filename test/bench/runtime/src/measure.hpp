@@ -18,6 +18,7 @@ class Series {
     values_.insert(values_.end(), other.values_.begin(), other.values_.end());
   }
   [[nodiscard]] bool empty() const { return values_.empty(); }
+  [[nodiscard]] std::size_t size() const { return values_.size(); }
   /// [ns], `share` in [0, 1]; 0 when there is none.
   [[nodiscard]] double percentile(double share) const;
   /// How many are longer than `ns`.
@@ -35,6 +36,9 @@ class Series {
 
 /// A number of /proc/self/smaps_rollup or status: "Pss" [kB], "Threads".
 [[nodiscard]] long proc_number(const std::string& file, const std::string& key);
+
+/// CPU time of a process and its threads so far [s].
+[[nodiscard]] double cpu_s(int process);
 
 /// What `command` printed.
 [[nodiscard]] std::string output_of(const std::string& command);

@@ -15,13 +15,12 @@
 #include <vector>
 
 #include "bench_bus.hpp"
-#include "runner/runner.hpp"
+#include "runtime/middleware/runner.hpp"
 
 namespace tocsin::bench {
 namespace {
 
 constexpr int start_domain = 80;
-constexpr int restart_domain = 81;
 
 /// Names that live as long as the program: a topic keeps pointers.
 const char* numbered(const char* word, int number) {
@@ -118,68 +117,7 @@ void end(pid_t child, int signal) {
   waitpid(child, nullptr, 0);
 }
 
-/// Writes without end, and says in every sample which life it is.
-int writer_child() {
-  const auto bus = make_bench_bus("writer", restart_domain);
-  const auto writer = bus->advertise(topic("restart", 0));
-  const auto message = blob(64);
-  for (;;) {
-    (void)writer->write(message);
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
-}
-
-/// Notes when a writer was first heard that was not heard before.
-class NewWriters : public Receiver {
- public:
-  void receive(const Sample& sample) override {
-    if (sample.source == source_) return;
-    source_ = sample.source;
-    heard_ns_ = now_ns();
-  }
-  /// [ns] steady clock; 0 when no new one came within 10 s.
-  [[nodiscard]] std::int64_t wait_for_new() {
-    for (int ms = 0; ms < 10000; ++ms) {
-      if (const std::int64_t heard = heard_ns_.exchange(0)) return heard;
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return 0;
-  }
-
- private:
-  std::uint64_t source_ = 0;
-  std::atomic<std::int64_t> heard_ns_{0};
-};
-
 }  // namespace
-
-void print_restarts(int times) {
-  NewWriters ears;
-  const auto bus = make_bench_bus("reader", restart_domain);
-  const auto reader = bus->subscribe(topic("restart", 0), ears);
-  pid_t child = start({"writer"});
-  (void)ears.wait_for_new();
-  Series series;
-  int silent = 0;
-  for (int i = 0; i < times; ++i) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    end(child, SIGKILL);
-    const std::int64_t restarted = now_ns();
-    child = start({"writer"});
-    const std::int64_t heard = ears.wait_for_new();
-    if (heard == 0) {
-      ++silent;
-    } else {
-      series.add(heard - restarted);
-    }
-  }
-  end(child, SIGKILL);
-  std::printf("restart after kill -9, %d times: heard again after [ms] median %.1f, p90 %.1f, ",
-              times, series.percentile(0.5) / 1e6, series.percentile(0.9) / 1e6);
-  std::printf("p99 %.1f, longest %.1f; %d above 200 ms; %d never within 10 s\n",
-              series.percentile(0.99) / 1e6, series.percentile(1) / 1e6, series.above(200'000'000),
-              silent);
-}
 
 void print_start_costs() {
   for (const char* count : {"10", "15", "15", "15", "50", "50", "50", "100"}) {
@@ -192,7 +130,6 @@ void print_start_costs() {
 }
 
 int run_child(int argc, char** argv) {
-  if (std::string(argv[0]) == "writer") return writer_child();
   if (argc < 3) return 2;
   if (argc > 3) {
     return crowd_child(argv[0], argv[1], std::atoi(argv[2]), std::strtoll(argv[3], nullptr, 10));

@@ -39,6 +39,9 @@ class ShapeMotion {
 
 /// A line of shape_main: `Square     BLUE       012 034 [20]`.
 [[nodiscard]] std::string sample_line(const std::string& topic, const Shape& shape);
+/// What follows a line with --stamps: the instant that lifespan and separation count from, and that
+/// of the read, both in [ns] of the subscriber's clock.
+[[nodiscard]] std::string stamps_text(std::int64_t stamp_ns, std::int64_t read_ns);
 /// `Square     BLUE       NOT_ALIVE_DISPOSED_INSTANCE_STATE`; `state` is the last word.
 [[nodiscard]] std::string instance_line(const std::string& topic, const std::string& color,
                                         const char* state);

@@ -21,7 +21,8 @@ struct ShapeOptions {
   bool print_written = false;
   int shapesize = 20;  ///< [pixel] 0: grows with each sample
   int size_modulo = 0;
-  bool reads = false;  ///< read() instead of take()
+  bool reads = false;   ///< read() instead of take()
+  bool stamps = false;  ///< a subscriber prints the instants of its samples
   double write_period_s = 0.033;
   double read_period_s = 0.1;
   int iterations = 0;  ///< 0: until it is interrupted

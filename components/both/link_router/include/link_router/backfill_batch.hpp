@@ -17,7 +17,7 @@ struct BackfillBatch {
   std::vector<sample_log::LogEntry> samples;
 };
 
-/// Up to where a peer has given what it was sent.
+/// Up to where a peer has delivered what it was sent.
 struct BackfillProgress {
   std::uint32_t session = 0;
   std::uint32_t number = 0;  ///< all up to this one
@@ -25,9 +25,9 @@ struct BackfillProgress {
 
 /// Of one stored stream, counted since the start of the router.
 struct StoredCounts {
-  std::uint64_t stored = 0;      ///< that came to the log
-  std::uint64_t backfilled = 0;  ///< that did not cross live and were given later
-  std::uint64_t expired = 0;     ///< that the log's bounds took before they crossed
+  std::uint64_t stored = 0;      ///< written to the log
+  std::uint64_t backfilled = 0;  ///< that did not cross live and were delivered later
+  std::uint64_t expired = 0;     ///< that the log's bounds took before they were delivered
   std::uint64_t refused = 0;  ///< that the log could not take, or not read, and that did not cross
   std::size_t waiting = 0;    ///< now: in the log, and still to cross
 };

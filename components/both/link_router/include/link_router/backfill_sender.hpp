@@ -26,7 +26,7 @@ namespace tocsin::router {
 /// numbered; the peer confirms them in their order, at most `window` are unconfirmed, and the first
 /// of them is repeated until it is. A session is one meeting of two instances: a new one sends what
 /// was not confirmed again. All within a share of the capacity; when the link has room at all,
-/// LinkSender::may_backfill tells. What somebody requests of a history goes the same way, behind
+/// LinkSender::may_backfill says. What somebody requests of a history goes the same way, behind
 /// all else. Pure; `now` never decreases.
 class BackfillSender {
  public:
@@ -39,7 +39,7 @@ class BackfillSender {
   void recover(const SampleId& id);
   /// What the log did with one that was offered.
   void on_logged(const SampleId& id, sample_log::Logged logged);
-  /// Whether the log must be told that it crossed: once for each.
+  /// Whether the log must note that it was delivered: once for each.
   [[nodiscard]] bool on_fate(const SampleId& id, LiveFate fate);
   /// The log's bounds took it. Whether it will not be sent for that.
   bool on_retired(const SampleId& id);
@@ -62,14 +62,14 @@ class BackfillSender {
   /// When next() has something though nothing happens; `never` when it has nothing to do. Not later
   /// than `now`: at once.
   [[nodiscard]] Time deadline(Time now, double capacity_bytes_per_s) const;
-  /// Those that are done with, which the log must be told.
+  /// Those that are done with, which the log must note.
   [[nodiscard]] std::vector<SampleId> on_progress(const BackfillProgress& progress, Time now);
 
   /// By stream; only those of which something was offered or recovered.
   [[nodiscard]] const std::map<std::uint64_t, StoredCounts>& counts() const { return counts_; }
 
  private:
-  /// Rises in the order in which samples came; those of earlier instances come before, those that
+  /// Rises in the order of offers; those of earlier instances are before, those that
   /// were requested behind all.
   using Order = std::uint64_t;
   static constexpr Order first_requested = Order{1} << 56U;

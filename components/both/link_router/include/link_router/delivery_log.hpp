@@ -38,7 +38,7 @@ struct SentSample {
   bool late = false;
   bool repaired = false;
   bool received = false;  ///< to a peer at least
-  bool counted = true;    ///< false: sent before already, this is for a peer that came later
+  bool counted = true;    ///< false: sent before already, this is for a peer that was late
   Fate fate = Fate::open;
 };
 using SentSamplePtr = std::shared_ptr<SentSample>;
@@ -50,16 +50,16 @@ struct Settlement {
   WireCost cost;
   Time sent{};
   Time expected{};
-  Time arrived{};         ///< by the peer's clock; when it came
+  Time arrived{};         ///< by the peer's clock
   bool is_exact = false;  ///< else it arrived then or before
   SentSamplePtr sample;
 };
 
 /// The transmissions of all streams, and which peers have them.
 ///
-/// A transmission is given up for a peer when a later one of its class has come to it (the radio's
-/// queues are first in, first out) or when no acknowledgement has told of it for long. An
-/// acknowledgement that tells of it later still counts. Pure; `now` never decreases.
+/// A transmission is given up for a peer when a later one of its class was received there (the
+/// radio's queues are first in, first out) or when no acknowledgement names it for long. An
+/// acknowledgement that names it later still counts. Pure; `now` never decreases.
 class DeliveryLog {
  public:
   /// `patience` beyond the expected arrival a transmission is given up.
@@ -89,7 +89,7 @@ class DeliveryLog {
   [[nodiscard]] std::vector<Settlement> give_up_overdue(Time now);
   /// When give_up_overdue() has something; `never` when nothing is under way.
   [[nodiscard]] Time next_overdue() const;
-  /// Samples of at least so many packets of which the peer has told nothing yet.
+  /// Samples of at least so many packets that the peer has not acknowledged yet.
   [[nodiscard]] std::size_t count_under_way(PeerIndex peer, std::size_t packets) const;
 
  private:
@@ -97,7 +97,7 @@ class DeliveryLog {
   using Records = std::deque<RecordPtr>;
   void take_stream(PeerIndex peer, const StreamAcknowledgement& acknowledgement, Time made,
                    std::vector<Settlement>& settled);
-  void give_up_overtaken(PeerIndex peer, const std::vector<Settlement>& came,
+  void give_up_overtaken(PeerIndex peer, const std::vector<Settlement>& received,
                          std::vector<Settlement>& settled);
   /// Copies of those under way for which `ends` is true are given up.
   template <class Ends>

@@ -13,8 +13,8 @@ namespace tocsin::router {
 /// dead controller must not keep a vehicle mute. Pure.
 class GateKeeper {
  public:
-  /// `silence_limit`: without a state for longer than this the gate opens.
-  explicit GateKeeper(Duration silence_limit) : silence_limit_(silence_limit) {}
+  /// Without a state for longer than this the gate opens: the controller publishes each second.
+  static constexpr Duration silence_limit = std::chrono::seconds(5);
 
   /// A state of this role, received at `now`.
   void on_state(bool active, Time now);
@@ -23,9 +23,8 @@ class GateKeeper {
   [[nodiscard]] Time deadline(Time now) const;
 
  private:
-  Duration silence_limit_;
   bool active_ = true;
-  Time heard_{};
+  Time received_{};
 };
 
 }  // namespace tocsin::router

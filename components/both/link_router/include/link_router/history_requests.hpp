@@ -33,7 +33,7 @@ class StandingRequests {
  public:
   /// Beyond 16 none is taken.
   void on_request(const HistoryRange& range, Time now);
-  /// What a peer is to be told with the next message to it; each peer once a second.
+  /// What the next message to a peer contains; each peer once a second.
   [[nodiscard]] std::vector<HistoryRange> take_for(const std::string& peer, Time now);
 
  private:
@@ -54,13 +54,13 @@ struct HistoryProgress {
   std::uint64_t id = 0;
   std::string topic;
   HistoryState state = HistoryState::searching;
-  std::uint64_t found = 0;  ///< samples that had not crossed, so far
-  std::uint64_t given = 0;  ///< of these, on the other side
-  std::uint64_t gone = 0;   ///< of these, no longer in the log, or damaged
+  std::uint64_t found = 0;      ///< samples that were not delivered before, so far
+  std::uint64_t delivered = 0;  ///< of these, on the other side
+  std::uint64_t gone = 0;       ///< of these, no longer in the log, or damaged
 };
 
 /// Requests for what this host has logged, and how far each is. A long one is looked for in parts:
-/// the next when all of the last has been given. Pure.
+/// the next when all of the last has been delivered. Pure.
 class HistoryRequests {
  public:
   using SampleId = sample_log::SampleId;
@@ -78,10 +78,10 @@ class HistoryRequests {
   void on_found(std::uint64_t id, const std::vector<SampleId>& ids,
                 std::optional<std::uint64_t> next_ns);
   /// These are on the other side, or can be sent no more.
-  void on_given(const std::vector<SampleId>& ids);
+  void on_delivered(const std::vector<SampleId>& ids);
   void on_gone(const std::vector<SampleId>& ids);
-  /// Forgets the requests that nobody has repeated: what of them was not given yet, and no other
-  /// wants.
+  /// Forgets the requests that nobody has repeated: what of them was not delivered yet, and no
+  /// other wants.
   [[nodiscard]] std::vector<SampleId> expire(Time now);
   [[nodiscard]] std::vector<HistoryProgress> progress() const;
 
@@ -94,7 +94,7 @@ class HistoryRequests {
     bool is_asked = false;     ///< the log is looking
     bool has_more = true;      ///< there may be some from next_ns on
     HistoryProgress progress;
-    std::set<SampleId> missing;  ///< found, and not given yet
+    std::set<SampleId> missing;  ///< found, and not delivered yet
   };
   void settle(const std::vector<SampleId>& ids, std::uint64_t HistoryProgress::*count);
   [[nodiscard]] bool is_wanted(const SampleId& id) const;

@@ -41,7 +41,7 @@ class LeastAge {
 
   WindowedMinimum least_;
   Time begun_{};  ///< first arrival that counts
-  Time heard_{};
+  Time received_{};
   Time agreed_{};  ///< last arrival that agrees with it
   Row lesser_;     ///< than the least one
   Row contrary_;   ///< all older

@@ -34,8 +34,8 @@ class RateMeter {
   Time at_{};
 };
 
-/// How much the adaptive streams may send: smooth, fast to fall, slow to rise, and told in steps,
-/// so that a source is not bothered by noise. Pure; `now` never decreases.
+/// How much the adaptive streams may send: smooth, fast to fall, slow to rise, and reported in
+/// steps, so that a source is not bothered by noise. Pure; `now` never decreases.
 class AdaptiveScale {
  public:
   explicit AdaptiveScale(const LinkRouterParams& params) : params_(params) {}

@@ -26,7 +26,7 @@ class LinkCounters {
   void on_dropped(const Waiting& waiting, const StreamRule& rule, DropReason reason);
   /// One-way delay of one that was received, over the least seen lately.
   void on_delay(TrafficClass traffic_class, Duration delay) { of(traffic_class).delay = delay; }
-  /// Its fate is decided; see SentSample::missing and ::came.
+  /// Its fate is decided; see SentSample::missing and ::received.
   void conclude(SentSample& sent);
   /// One that was given up too early has been received by every peer that wants it.
   void revoke_loss(SentSample& sent);

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "link_router/link_router_params.hpp"
+#include "link_router/link_constants.hpp"
 #include "link_router/transmission.hpp"
 
 namespace tocsin::router {
@@ -16,7 +16,7 @@ class WindowedMinimum {
   /// Empty before the first value.
   [[nodiscard]] std::optional<Duration> value() const;
   void clear() { *this = WindowedMinimum(2 * half_); }
-  /// Time in which no value could come does not count.
+  /// Time in which no value was possible does not count.
   void skip(Duration silence) { begin_ += silence; }
 
  private:
@@ -37,12 +37,10 @@ class WindowedMinimum {
 /// Pure; `now` never decreases.
 class LinkEstimator {
  public:
-  explicit LinkEstimator(const LinkRouterParams& params);
-
   /// Something goes to the radio. Returns when the model has it leave.
   Time on_sent(const WireCost& cost, Time now);
 
-  /// A transmission that came.
+  /// A transmission that was received.
   struct Received {
     WireCost cost;
     Time sent{};
@@ -52,19 +50,19 @@ class LinkEstimator {
   };
   /// Returns its delay over the least one, at least zero.
   Duration on_received(const Received& received, Time now);
-  /// A transmission that did not come, and will not.
+  /// A transmission that is lost.
   void on_lost();
 
   /// [B/s]
   [[nodiscard]] double capacity_bytes_per_s() const { return capacity_bytes_per_s_; }
-  /// Whether bulk has ever told it; else it is only assumed.
+  /// Whether it was ever measured on bulk; else it is only assumed.
   [[nodiscard]] bool is_capacity_measured() const { return is_capacity_measured_; }
   /// How long what is sent at `now` would wait in the radio.
   [[nodiscard]] Duration backlog(Time now) const;
-  /// The wait that a small sample must reckon with before an acknowledgement can tell of it: recent
+  /// The wait that a small sample must reckon with before an acknowledgement can name it: recent
   /// delays with their spread.
   [[nodiscard]] Duration expected_delay() const;
-  /// [0, 1] recent share that did not come.
+  /// [0, 1] recent share that was lost.
   [[nodiscard]] double loss() const { return loss_; }
   /// Nothing has been acknowledged for so long that the link counts as dead.
   [[nodiscard]] bool is_silent(Time now) const;
@@ -77,9 +75,9 @@ class LinkEstimator {
  private:
   void learn_capacity(const Received& received, Time arrived);
 
-  LinkRouterParams params_;
-  WindowedMinimum least_;  ///< of small samples: by the peer's clock, from sending to arrival
-  double capacity_bytes_per_s_;
+  WindowedMinimum least_{
+      clock_window};  ///< of small samples: by the peer's clock, from sending to arrival
+  double capacity_bytes_per_s_ = capacity_start_bytes_per_s;
   bool is_capacity_measured_ = false;
   bool measured_ = false;  ///< the capacity, since the last start_over()
   double loss_ = 0;

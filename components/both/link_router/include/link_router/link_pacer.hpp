@@ -24,8 +24,8 @@ class LinkPacer {
   void on_sent(Time now) { sent_at_ = now; }
   /// A sample of the class may go when it makes fewer packets than this.
   [[nodiscard]] std::size_t packets_allowed(TrafficClass traffic_class, Time now) const;
-  /// When more may be sent of what waits, unless an acknowledgement comes; `now` or before: not by
-  /// time.
+  /// When more may be sent of what waits, unless an acknowledgement is received; `now` or before:
+  /// not by time.
   [[nodiscard]] Time opens(Time now) const;
   /// From when repairs may go: `now`, or later while no peer answers.
   [[nodiscard]] Time repairs_open(Time now) const;

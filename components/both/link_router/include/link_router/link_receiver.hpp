@@ -10,13 +10,13 @@
 
 #include "link_router/least_age.hpp"
 #include "link_router/link_acknowledgement.hpp"
-#include "link_router/link_router_params.hpp"
+#include "link_router/link_constants.hpp"
 #include "link_router/source_memory.hpp"
 #include "link_router/transmission.hpp"
 
 namespace tocsin::router {
 
-/// What came from the link.
+/// What was received from the link.
 struct Arrived {
   StreamId stream = 0;
   TransmissionNumber number = 0;  ///< of the link writer
@@ -25,28 +25,25 @@ struct Arrived {
 
 /// What to do with it.
 enum class Disposition : std::uint8_t {
-  deliver,         ///< give it to the host
+  deliver,         ///< to the host
   duplicate,       ///< the host has it
   superseded,      ///< the host has newer ones of its source, as many as the stream keeps
   expired,         ///< older than its lifespan
-  unknown_stream,  ///< of a peer or stream that was not told of
+  unknown_stream,  ///< of a peer or stream that is not known
 };
 
-/// Which transmissions are given to the host, and the acknowledgements for them.
+/// Which transmissions are delivered to the host, and the acknowledgements for them.
 ///
-/// Each sample is given once; of a stream of depth 1, in the order of its source. A stream of
-/// another depth gives a repaired sample when it comes, behind newer ones. What was given is
+/// Each sample is delivered once; of a stream of depth 1, in the order of its source. A stream of
+/// another depth delivers a repaired sample late, behind newer ones. What was delivered is
 /// remembered by the peer's and the stream's name over the instances of the peer's router, so that
 /// a restart repeats nothing. Ages are over the least one seen lately from the peer's host, since
 /// clocks differ. Pure; `now` never decreases.
 class LinkReceiver {
  public:
-  /// Throws ConfigError for parameters that do not fit each other.
-  explicit LinkReceiver(const LinkRouterParams& params);
-
   /// A peer, or its next instance: numbers start afresh. The same instance again changes nothing.
   void on_peer(const std::string& peer, InstanceId instance);
-  /// It is gone; what was given of it is remembered.
+  /// It is gone; what was delivered of it is remembered.
   void forget_peer(const std::string& peer);
   /// A link writer of a known peer. Of the rule, name, depth, lifespan and traffic_class count.
   void on_stream(const std::string& peer, StreamId stream, const StreamRule& rule);
@@ -54,7 +51,7 @@ class LinkReceiver {
 
   [[nodiscard]] Disposition on_arrived(const std::string& peer, const Arrived& arrived, Time now);
 
-  /// There is something to tell the peer besides.
+  /// There is something to report to the peer besides.
   void ask_for_acknowledgement(const std::string& peer, Time now);
   /// An acknowledgement that is due at `now`, and the peer that it is for.
   struct Addressed {
@@ -68,7 +65,7 @@ class LinkReceiver {
  private:
   struct Stream {
     StreamRule rule;
-    TransmissionNumber highest = 0;  ///< 0: nothing came yet
+    TransmissionNumber highest = 0;  ///< 0: nothing yet
     std::uint64_t before = 0;        ///< as in StreamAcknowledgement
     Time last{};                     ///< arrival of the highest
     Time noted{};                    ///< arrival of any
@@ -76,11 +73,10 @@ class LinkReceiver {
     std::optional<std::pair<TransmissionNumber, Time>> low;
   };
   struct Peer {
-    explicit Peer(Duration clock_window) : age(clock_window) {}
     std::optional<InstanceId> instance;  ///< empty: it is gone
     std::map<StreamId, Stream> streams;
     std::map<std::pair<std::string, SourceId>, SourceMemory> delivered;  ///< by name of the stream
-    LeastAge age;
+    LeastAge age{clock_window};
     std::uint32_t acknowledgements = 0;
     std::optional<Time> acknowledgement_sent;
     Time acknowledgement_due = Time::min();
@@ -92,10 +88,9 @@ class LinkReceiver {
                                          Time now);
   [[nodiscard]] static SourceMemory& memory_of(Peer& peer, const std::string& stream,
                                                SourceId source);
-  void ask_for_acknowledgement(Peer& peer, Time now) const;
-  [[nodiscard]] LinkAcknowledgement make_acknowledgement(Peer& peer, Time now) const;
+  static void ask_for_acknowledgement(Peer& peer, Time now);
+  [[nodiscard]] static LinkAcknowledgement make_acknowledgement(Peer& peer, Time now);
 
-  LinkRouterParams params_;
   std::map<std::string, Peer> peers_;
 };
 

@@ -10,28 +10,20 @@
 namespace tocsin {
 
 /// The one owner of the link on its host. What it does there are services: live samples, backfill,
-/// calls, acknowledgements, the emergency stop, reports. The component is told what happens at the
-/// link and tells each of them.
+/// calls, acknowledgements, the emergency stop, reports. The component passes what happens at the
+/// link to each of them.
 class LinkRouterComponent final : public Component {
  public:
   struct Params {
     router::LinkRouterParams link;
-    double silence_limit_s = 5.0;
-    double report_period_s = 1.0;
-    double budget_period_s = 0.2;
     std::string store_directory;
     int store_bytes = 64'000'000;
     double store_age_s = 86'400;
     int history_bytes = 256'000'000;
     double history_age_s = 86'400;
-    double fetch_around_stop_s = 0;
     template <class Visitor>
     void visit(Visitor& v) {
       link.visit(v);
-      v("silence_limit_s", silence_limit_s, {1, 600},
-        "[s] without a transmission state for longer the pause ends");
-      v("report_period_s", report_period_s, {0.1, 60}, "[s] between link states");
-      v("budget_period_s", budget_period_s, {0.02, 10}, "[s] between budgets of adaptive topics");
       v("store_directory", store_directory,
         "folder of stored topics, for this router alone; empty: run folder/role/store, which later "
         "runs do not see");
@@ -40,9 +32,6 @@ class LinkRouterComponent final : public Component {
       v("history_bytes", history_bytes, {100'000, 2e9},
         "[B] of the log of what crosses when it is asked for, folder history of store_directory");
       v("history_age_s", history_age_s, {1, 1e8}, "[s] what is older goes there");
-      v("fetch_around_stop_s", fetch_around_stop_s, {0, 600},
-        "[s] before and after an emergency stop, of which all that is logged crosses by itself; 0: "
-        "none; other events: list fetch of the traffic file");
     }
   };
 

@@ -109,7 +109,7 @@ class LinkSender {
   /// What was last sent of one source of a stream.
   struct Source {
     Time sent = Time::min();  ///< the last one that was sent for the first time
-    SentSamplePtr newest;     ///< of a durable stream: for peers that come later
+    SentSamplePtr newest;     ///< of a durable stream: for peers that are late
   };
   struct Stream {
     StreamRule rule;

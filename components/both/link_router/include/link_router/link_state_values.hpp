@@ -42,7 +42,7 @@ struct LinkStateValues {
   double capacity_bytes_per_s = 0;  ///< [B/s] estimate, headers included; of the slowest live peer
   bool capacity_measured = false;   ///< else it is what the parameters assume
   Duration backlog{0};              ///< what is in the radio's queue, by the estimate
-  double loss = 0;                  ///< [0, 1] recent share of transmissions that did not come
+  double loss = 0;                  ///< [0, 1] recent share of transmissions that were lost
   double scale = 1;                 ///< [0.25, 1] of the adaptive streams
   double repair_share = 0;          ///< [0, 1] of the capacity, recently spent on repairs
   bool paused = false;

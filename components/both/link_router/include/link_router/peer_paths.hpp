@@ -10,15 +10,13 @@
 
 #include "link_router/delivery_log.hpp"
 #include "link_router/link_estimator.hpp"
-#include "link_router/link_router_params.hpp"
 #include "link_router/transmission.hpp"
 
 namespace tocsin::router {
 
 /// One instance of a peer as a sender sees it.
 struct PeerPath {
-  PeerPath(const LinkRouterParams& params, PeerIndex number, InstanceId id)
-      : index(number), instance(id), estimator(params) {}
+  PeerPath(PeerIndex number, InstanceId id) : index(number), instance(id) {}
   PeerIndex index;
   InstanceId instance;
   std::set<StreamId> wanted;  ///< streams that it reads
@@ -29,8 +27,6 @@ struct PeerPath {
 /// it. A peer that acknowledges nothing is silent and holds the others up in nothing. Pure.
 class PeerPaths {
  public:
-  explicit PeerPaths(const LinkRouterParams& params) : params_(params) {}
-
   /// Null when there is no such peer.
   [[nodiscard]] PeerPath* find(const std::string& peer);
   [[nodiscard]] PeerPath* find(PeerIndex index);
@@ -54,7 +50,6 @@ class PeerPaths {
   [[nodiscard]] const std::map<std::string, PeerPath>& all() const { return paths_; }
 
  private:
-  const LinkRouterParams params_;
   std::map<std::string, PeerPath> paths_;
   PeerIndex last_ = 0;
 };

@@ -7,8 +7,8 @@
 
 namespace tocsin::router {
 
-/// How long a writer that is new on the host gives nothing, since what it gives before readers have
-/// found it is lost to them: until readers have come and no other follows, or for a while when
+/// How long a writer that is new on the host delivers nothing, since what it writes before readers
+/// have found it is lost to them: until readers are there and no other follows, or for a while when
 /// there are none. Pure; `now` never decreases.
 class ReaderWait {
  public:
@@ -23,7 +23,7 @@ class ReaderWait {
     if (now < end_) end_ = std::min(now + others_follow, latest_);
   }
   [[nodiscard]] bool is_over(Time now) const { return now >= end_; }
-  /// When it is over, if no reader comes.
+  /// When it is over without a reader.
   [[nodiscard]] Time end() const { return end_; }
 
  private:

@@ -25,7 +25,7 @@ struct ServiceName {
   return one.name == other.name && one.type == other.type;
 }
 
-/// What a router tells its peers of services.
+/// What a router announces to its peers of services.
 struct ServiceLists {
   std::set<ServiceName> offered;  ///< by servers of its host
   std::set<ServiceName> wanted;   ///< by clients of its host
@@ -50,7 +50,7 @@ enum class Crossing : std::uint8_t {
 /// never decreases.
 class ServiceDirectory {
  public:
-  using PeerLife = std::uint64_t;
+  using PeerInstance = std::uint64_t;
   static constexpr std::size_t most_services = 256;
   /// By the service's name.
   struct Rules {
@@ -62,8 +62,8 @@ class ServiceDirectory {
   void on_server(const ServiceName& service, bool there);
   void on_client(const ServiceName& service, bool there, Time now);
   /// Returns what it does not take.
-  std::set<std::string> on_peer(PeerLife peer, const ServiceLists& lists);
-  void forget_peer(PeerLife peer) { peers_.erase(peer); }
+  std::set<std::string> on_peer(PeerInstance peer, const ServiceLists& lists);
+  void forget_peer(PeerInstance peer) { peers_.erase(peer); }
 
   [[nodiscard]] ServiceLists announced(Time now) const;
   /// To serve on this host; at most one of each name.
@@ -83,7 +83,7 @@ class ServiceDirectory {
   Rules rules_;
   std::set<ServiceName> servers_;
   std::map<ServiceName, Time> clients_;  ///< since when
-  std::map<PeerLife, ServiceLists> peers_;
+  std::map<PeerInstance, ServiceLists> peers_;
 };
 
 }  // namespace tocsin::router

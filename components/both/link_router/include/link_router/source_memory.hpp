@@ -27,7 +27,7 @@ class SourceMemory {
   /// The host was delivered a sample that was judged newer.
   void add(std::uint64_t sequence, std::size_t depth, Time now);
   /// When something of the source was received.
-  [[nodiscard]] Time heard() const { return heard_; }
+  [[nodiscard]] Time received() const { return received_; }
 
  private:
   /// Samples of lower numbers in a row.
@@ -42,7 +42,7 @@ class SourceMemory {
   std::uint64_t floor_ = 0;            ///< what is below counts as delivered
   std::optional<Contrary> contrary_;
   Time added_{};
-  Time heard_{};
+  Time received_{};
 };
 
 }  // namespace tocsin::router

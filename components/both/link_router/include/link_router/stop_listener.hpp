@@ -22,7 +22,7 @@ namespace tocsin::router {
 ///   are not received any more (release_left).
 /// - A router whose packets are received, but no fresh value for `fresh_for`, counts as a stop
 /// until
-///   a value of that host comes.
+///   a value of that host is received.
 /// - Nothing else is remembered of a peer: neither streams nor order nor discovery.
 ///
 /// Pure; `now` must not decrease.
@@ -44,7 +44,7 @@ class StopListener {
 
   [[nodiscard]] bool stands() const;
   /// Whether `stands` is more than what was so before a start or a freeze: a stop stands, a value
-  /// has come since, or none has for `fresh_for`.
+  /// was received since, or none for `fresh_for`.
   [[nodiscard]] bool knows(Time now) const;
   /// Names of those whose stops stand; not empty while one does.
   [[nodiscard]] std::vector<std::string> stopped_by() const;

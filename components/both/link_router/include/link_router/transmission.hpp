@@ -35,7 +35,7 @@ using InstanceId = std::uint64_t;
 /// The writer on the host that made a sample; of a topic with keys, the writer and the instance.
 using SourceId = std::uint64_t;
 
-/// Where a sample comes from. Crosses the link with it.
+/// The origin of a sample. It crosses the link with it.
 struct Origin {
   SourceId source = 0;
   std::uint64_t sequence = 0;  ///< of the source, rising, not necessarily by 1
@@ -61,19 +61,19 @@ struct StreamRule {
   bool repaired = false;  ///< what is missing is sent again; default: ClassPolicy::repaired
   bool durable = false;   ///< the newest sample of each source is sent to peers that come later
   bool adaptive = false;  ///< its source follows the budget
-  bool stored = false;    ///< the fate of each sample is told, so that what did not cross follows
+  bool stored = false;    ///< the fate of each sample is reported, so that the lost ones follow
 };
 
-/// What became of a sample on the link; one that was given up may come all the same.
+/// What became of a sample on the link; one that was given up may be delivered all the same.
 enum class LiveFate : std::uint8_t {
-  crossed,  ///< all peers that want it have it, and there is one
-  did_not_cross,
+  delivered,  ///< all peers that want it have it, and there is one
+  not_delivered,
 };
 
 /// Why a sample was not sent, or not sent again.
 enum class DropReason : std::uint8_t {
-  paused,      ///< while_paused is `drop`, or a newer one came during the pause
-  superseded,  ///< a newer one of its source came while it waited
+  paused,      ///< while_paused is `drop`, or a newer one was offered during the pause
+  superseded,  ///< a newer one of its source was offered while it waited
   expired,     ///< older than its lifespan before it was sent
   overflow,    ///< its class has more waiting than its bound of bytes
   removed,     ///< its stream was removed
@@ -84,7 +84,7 @@ inline constexpr std::size_t drop_reason_count = 5;
 struct StoredFate {
   StreamId stream = 0;
   Origin origin;
-  LiveFate fate = LiveFate::did_not_cross;
+  LiveFate fate = LiveFate::not_delivered;
 };
 
 }  // namespace tocsin::router

@@ -11,7 +11,7 @@
 namespace tocsin {
 
 /// What this host keeps of what peers send: topics that the traffic file lists under `keep` go to
-/// its history as they are delivered, live or backfilled, for readers that come late.
+/// its history as they are delivered, live or backfilled, for late readers.
 class ArrivalLog {
  public:
   /// Both outlive it.

@@ -39,7 +39,7 @@ bool BackfillIncoming::on_live(const LinkPeer& peer, const router::StreamRule& r
 void BackfillIncoming::on_batch(const LinkPeer& peer, const CarriedSample& sample, Instant at) {
   auto content = parts_.link.unpack(type_info<BackfillMessage>(), sample);
   const auto message = std::static_pointer_cast<const BackfillMessage>(std::move(content));
-  if (!message || message->to_life() != parts_.link.self() || !is_sound(*message)) return;
+  if (!message || message->to_instance() != parts_.link.self() || !is_sound(*message)) return;
   const Batch batch{peer, message, key_of(peer, *message)};
   if (!parts_.link.rules().takes_later(message->topic())) {
     refuse("history of", message->topic(), peer.name, parts_.log);
@@ -47,7 +47,7 @@ void BackfillIncoming::on_batch(const LinkPeer& peer, const CarriedSample& sampl
   }
   if (streams_.size() >= most_streams && streams_.count(batch.key) == 0) return;
   if (stream_of(batch, at.now).readers.is_over(at.now)) return take(batch, at);
-  if (early_.size() < most_early) early_.push_back(batch);  // else it comes again
+  if (early_.size() < most_early) early_.push_back(batch);  // else it is repeated
 }
 
 BackfillIncoming::Stream& BackfillIncoming::stream_of(const Batch& batch, Time now) {

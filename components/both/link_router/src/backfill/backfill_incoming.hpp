@@ -36,18 +36,18 @@ class BackfillIncoming {
   explicit BackfillIncoming(const Parts& parts) : parts_(parts) {}
 
   /// What earlier instances have delivered.
-  void recover(const sample_log::SampleSet& given) { receiver_.recover(given); }
-  /// A sample of a stored flow has crossed live. Whether the host was not delivered it before.
+  void recover(const sample_log::SampleSet& delivered) { receiver_.recover(delivered); }
+  /// A sample of a stored flow was received live. Whether it is the first time.
   [[nodiscard]] bool on_live(const LinkPeer& peer, const router::StreamRule& rule,
                              const CarriedSample& sample);
   void on_batch(const LinkPeer& peer, const CarriedSample& sample, Instant at);
   /// A reader of this host receives a flow that is offered there.
   void on_local_reader(FlowId flow, Time now);
   void on_peer_gone(const LinkPeer& peer);
-  /// What was delivered up to this token is safe: the peer is told.
+  /// What was delivered up to this token is safe: the peer is informed.
   void on_saved(std::uint64_t token, Time now);
   void follow(Instant at);
-  /// Up to where this instance of a peer may be told that its batches were delivered.
+  /// Up to where this instance of a peer may know that its batches were delivered.
   [[nodiscard]] router::BackfillProgress progress(const LinkPeer& peer) const;
   [[nodiscard]] Time deadline() const;
 
@@ -74,9 +74,9 @@ class BackfillIncoming {
   const Parts parts_;
   router::BackfillReceiver receiver_;
   std::map<std::uint64_t, Stream> streams_;  ///< by the key of the peer's stream
-  std::vector<Batch> early_;                 ///< came before the readers of this host were there
-  std::vector<sample_log::SampleId> live_;   ///< delivered, and not noted yet
-  std::map<std::uint64_t, Saving> saving_;   ///< by token
+  std::vector<Batch> early_;                ///< received before the readers of this host were there
+  std::vector<sample_log::SampleId> live_;  ///< delivered, and not noted yet
+  std::map<std::uint64_t, Saving> saving_;  ///< by token
   std::uint64_t last_token_ = 0;
   std::map<std::string, Saving> saved_;  ///< by the peer's name
 };

@@ -2,6 +2,7 @@
 #include "backfill/backfill_link.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 #include <variant>
 
@@ -21,20 +22,19 @@ std::function<void()> wake(Component& owner) {
 
 }  // namespace
 
-BackfillLink::BackfillLink(Component& owner, const LinkParts& parts, Devices& devices,
+BackfillLink::BackfillLink(Component& owner, const LinkParts& parts, const Computer& computer,
                            const Params& params)
     : requests_(owner),
       owner_(owner),
       parts_(parts),
-      store_(devices, params.store, wake(owner)),
-      history_store_(devices, params.history, wake(owner)),
+      store_(computer, params.store, wake(owner)),
+      history_store_(computer, params.history, wake(owner)),
       arrivals_(parts.link, history_store_),
       sender_(params.link),
       history_({parts.link, history_store_, sender_, flows_, parts.log}),
       outgoing_({parts.link, parts.sender, store_, sender_, history_, flows_, parts.log}),
       incoming_({parts.link, parts.receiver, store_, arrivals_, parts.log}),
-      triggers_(make_triggers(owner, parts.link.rules().fetches(),
-                              history_.logs_any() ? params.fetch_around_stop_s : 0)) {}
+      triggers_(make_triggers(owner, parts.link.rules().fetches())) {}
 
 void BackfillLink::begin(Instant at) {
   if (at.now >= next_keep_) keep_stores(at);
@@ -142,7 +142,7 @@ void BackfillLink::take_answers(Instant at) {
   while (auto answer = store_.take()) {
     if (auto* const opened = std::get_if<store_answer::Opened>(&*answer)) {
       outgoing_.on_opened(*opened);
-      incoming_.recover(opened->given);
+      incoming_.recover(opened->delivered);
     } else if (auto* const appended = std::get_if<store_answer::Appended>(&*answer)) {
       for (const auto& [id, logged] : appended->logged) sender_.on_logged(id, logged);
     } else if (auto* const read = std::get_if<store_answer::Read>(&*answer)) {

@@ -11,7 +11,6 @@
 #include "backfill/fetch_trigger.hpp"
 #include "backfill/log_history.hpp"
 #include "backfill/router_store.hpp"
-#include "deliveries.hpp"
 #include "link_router/history_requests.hpp"
 #include "link_service.hpp"
 #include "runtime/component.hpp"
@@ -21,16 +20,16 @@
 namespace tocsin {
 
 /// Stored, logged and kept topics: what of them crosses later than live, both ways.
-class BackfillLink final : public LinkService, public Deliveries {
+class BackfillLink final : public LinkService {
  public:
   struct Params {
     StorePlace store;
     StorePlace history;
     router::LinkRouterParams link;
-    double fetch_around_stop_s = 0;
   };
   /// All outlive it.
-  BackfillLink(Component& owner, const LinkParts& parts, Devices& devices, const Params& params);
+  BackfillLink(Component& owner, const LinkParts& parts, const Computer& computer,
+               const Params& params);
 
   void begin(Instant at) override;
   void on_peer_gone(const LinkPeer& peer, Instant at) override;
@@ -52,10 +51,13 @@ class BackfillLink final : public LinkService, public Deliveries {
   void add_to(tocsin_msgs::msg::LinkState& message, Time now) const override;
   [[nodiscard]] Time deadline(Time now) const override;
 
-  void expect(Instant at) override { store_.open(at); }
+  /// Samples of a peer's stored flow will follow.
+  void expect(Instant at) { store_.open(at); }
+  /// A sample of a stored flow was received live. Whether it is the first time.
   [[nodiscard]] bool on_live(const LinkPeer& peer, const RemoteFlow& flow,
-                             const CarriedSample& sample) override;
-  void on_delivery(const Flow& what, const CarriedSample& sample, Instant at) override;
+                             const CarriedSample& sample);
+  /// The host is delivered a sample of a peer's flow for the first time.
+  void on_delivery(const Flow& what, const CarriedSample& sample, Instant at);
 
  private:
   void keep_stores(Instant at);

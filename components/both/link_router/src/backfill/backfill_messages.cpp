@@ -85,14 +85,14 @@ Flow flow_of(const sample_log::LoggedStream& stream) {
 }
 
 Flow backfilled(const Flow& flow) {
-  Flow given;
-  given.topic = flow.topic + "/backfilled";
-  given.type = flow.type;
-  given.user_data = flow.user_data;
-  given.reliable = true;
-  given.transient_local = true;
-  given.depth = backfilled_depth;
-  return given;
+  Flow later;
+  later.topic = flow.topic + "/backfilled";
+  later.type = flow.type;
+  later.user_data = flow.user_data;
+  later.reliable = true;
+  later.transient_local = true;
+  later.depth = backfilled_depth;
+  return later;
 }
 
 }  // namespace tocsin

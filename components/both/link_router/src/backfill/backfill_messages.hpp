@@ -29,8 +29,8 @@ namespace tocsin {
 [[nodiscard]] sample_log::LoggedStream logged_stream(const std::string& name, const Flow& flow);
 /// Topic, type and user data of such a stream.
 [[nodiscard]] Flow flow_of(const sample_log::LoggedStream& stream);
-/// Where a topic's backfilled samples are given: `<topic>/backfilled`, reliable, a late reader gets
-/// the last hundred.
+/// Where a topic's backfilled samples are delivered: `<topic>/backfilled`, reliable, a late reader
+/// gets the last hundred.
 [[nodiscard]] Flow backfilled(const Flow& flow);
 
 }  // namespace tocsin

@@ -88,7 +88,7 @@ void BackfillOutgoing::follow_fates() {
     const sample_log::SampleId id{logged ? *logged : stored->second, one.origin.source,
                                   one.origin.sequence};
     const bool was_waited_for = parts_.sender.on_fate(id, one.fate);
-    const bool is_news = logged && one.fate == router::LiveFate::crossed;
+    const bool is_news = logged && one.fate == router::LiveFate::delivered;
     if (was_waited_for || is_news) crossed.push_back(id);
   }
   confirm(crossed);
@@ -110,8 +110,8 @@ void BackfillOutgoing::read_ahead() {
 CarriedSample BackfillOutgoing::packed(const router::BackfillBatch& batch) {
   auto message = std::make_shared<BackfillMessage>(to_message(batch));
   const Flow& flow = parts_.flows.at(batch.stream);
-  message->from_life(parts_.link.self());
-  message->to_life(session_->instance);
+  message->from_instance(parts_.link.self());
+  message->to_instance(session_->instance);
   message->topic(flow.topic);
   message->type(flow.type);
   message->user_data(flow.user_data);

@@ -16,9 +16,9 @@ std::uint64_t BackfillReceiver::stream_key(const std::string& peer, const std::s
   return sample_log::stream_key(peer + "|" + stream);
 }
 
-void BackfillReceiver::recover(const sample_log::SampleSet& given) {
-  for (const auto& [writer, known] : given.writers()) {
-    for (const auto& [first, last] : known.sequences.ranges()) given_.add(writer, first, last);
+void BackfillReceiver::recover(const sample_log::SampleSet& delivered) {
+  for (const auto& [writer, known] : delivered.writers()) {
+    for (const auto& [first, last] : known.sequences.ranges()) delivered_.add(writer, first, last);
   }
   recovered_ = true;
 }
@@ -41,8 +41,8 @@ std::vector<BackfillBatch> BackfillReceiver::on_batch(const std::string& peer, I
        next = session.early.erase(next)) {
     ++session.progress.number;
     auto& samples = next->second.samples;
-    const auto was_given = [this](const auto& entry) { return !given_.add(entry.id); };
-    samples.erase(std::remove_if(samples.begin(), samples.end(), was_given), samples.end());
+    const auto was_delivered = [this](const auto& entry) { return !delivered_.add(entry.id); };
+    samples.erase(std::remove_if(samples.begin(), samples.end(), was_delivered), samples.end());
     in_turn.push_back(std::move(next->second));
   }
   return in_turn;

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "link_router/link_constants.hpp"
 #include "link_router/wire_cost.hpp"
 
 namespace tocsin::router {
@@ -99,7 +100,7 @@ bool BackfillSender::on_fate(const SampleId& id, LiveFate fate) {
   const Order order = known->second;
   Item& item = items_.at(order);
   const bool in_log = !item.refused;
-  if (fate == LiveFate::crossed) {
+  if (fate == LiveFate::delivered) {
     erase(order);
     return in_log;
   }
@@ -212,7 +213,7 @@ BackfillSender::Sent BackfillSender::make_batch() {
     const Item& item = items_.at(order);
     if (item.id.stream != sent.batch.stream) continue;
     bytes += bytes_of(item.content);
-    const bool fits = bytes <= static_cast<std::size_t>(params_.backfill_bytes);
+    const bool fits = bytes <= backfill_bytes;
     if (!fits && !sent.orders.empty()) {
       bytes -= bytes_of(item.content);
       break;
@@ -281,7 +282,7 @@ std::vector<BackfillSender::SampleId> BackfillSender::on_progress(const Backfill
     }
     for (const Order order : sent.orders) {
       const auto item = items_.find(order);
-      if (item == items_.end()) continue;  // it crossed live meanwhile
+      if (item == items_.end()) continue;  // it was delivered live meanwhile
       ++counts_[item->second.id.stream].backfilled;
       done.push_back(item->second.id);
       erase(order);

@@ -2,13 +2,8 @@
 #include "backfill/fetch_trigger.hpp"
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <utility>
-
-#include <algorithm>
-#include <string>
-#include <vector>
 
 #include "foundation/error.hpp"
 #include "foundation/printable.hpp"
@@ -16,7 +11,6 @@
 #include "idl_support/topic_registry.hpp"
 #include "idl_support/type_info.hpp"
 #include "runtime/middleware/idl_libraries.hpp"
-#include "tocsin_idl/topics.hpp"
 
 namespace tocsin {
 namespace {
@@ -109,26 +103,11 @@ std::optional<Time> FetchTrigger::take() {
   return event;
 }
 
-FetchRule around_stop(double s) {
-  FetchRule rule;
-  rule.when = topic::SafetyStatus::info.name;
-  rule.field = "emergency_stop";
-  rule.topics = {"*"};
-  rule.before_s = s;
-  rule.after_s = s;
-  rule.name = "link_router.fetch_around_stop_s";
-  return rule;
-}
-
 std::vector<std::unique_ptr<FetchTrigger>> make_triggers(Component& owner,
-                                                         const std::vector<FetchRule>& rules,
-                                                         double around_stop_s) {
+                                                         const std::vector<FetchRule>& rules) {
   std::vector<std::unique_ptr<FetchTrigger>> triggers;
   for (const FetchRule& rule : rules) {
     triggers.push_back(std::make_unique<FetchTrigger>(owner, rule));
-  }
-  if (around_stop_s > 0) {
-    triggers.push_back(std::make_unique<FetchTrigger>(owner, around_stop(around_stop_s)));
   }
   return triggers;
 }

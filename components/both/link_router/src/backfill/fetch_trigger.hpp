@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "foundation/time.hpp"
-#include "runtime/middleware/fetch_rule.hpp"
+#include "runtime/middleware/traffic_rules.hpp"
 #include "runtime/port.hpp"
 
 namespace tocsin {
@@ -34,10 +34,8 @@ class FetchTrigger {
   bool holds_ = false;        ///< the rule, by the last sample
 };
 
-/// The rule that `fetch_around_stop_s` stands for.
-[[nodiscard]] FetchRule around_stop(double s);
-/// Of these rules, and of a stop when `around_stop_s` is above 0. Throws like FetchTrigger.
+/// Of these rules. Throws like FetchTrigger.
 [[nodiscard]] std::vector<std::unique_ptr<FetchTrigger>> make_triggers(
-    Component& owner, const std::vector<FetchRule>& rules, double around_stop_s);
+    Component& owner, const std::vector<FetchRule>& rules);
 
 }  // namespace tocsin

@@ -12,7 +12,7 @@ constexpr std::size_t most_standing = 16;
 constexpr std::size_t most_requests = 64;
 /// Of who repeats it once a second.
 constexpr Duration patience = std::chrono::seconds(5);
-constexpr Duration tell_period = std::chrono::seconds(1);
+constexpr Duration repeat_period = std::chrono::seconds(1);
 /// What was written at the end of a range may still be on its way into the log, or over the link.
 constexpr std::int64_t settled_ns = 1'000'000'000;
 
@@ -25,8 +25,8 @@ void StandingRequests::on_request(const HistoryRange& range, Time now) {
 
 std::vector<HistoryRange> StandingRequests::take_for(const std::string& peer, Time now) {
   std::vector<HistoryRange> ranges;
-  const auto told = sent_.find(peer);
-  if (told != sent_.end() && now - told->second < tell_period) return ranges;
+  const auto last = sent_.find(peer);
+  if (last != sent_.end() && now - last->second < repeat_period) return ranges;
   for (auto it = standing_.begin(); it != standing_.end();) {
     if (now - it->second.said > patience) {
       it = standing_.erase(it);
@@ -121,8 +121,8 @@ void HistoryRequests::settle(const std::vector<SampleId>& ids,
   }
 }
 
-void HistoryRequests::on_given(const std::vector<SampleId>& ids) {
-  if (!ids.empty()) settle(ids, &HistoryProgress::given);
+void HistoryRequests::on_delivered(const std::vector<SampleId>& ids) {
+  if (!ids.empty()) settle(ids, &HistoryProgress::delivered);
 }
 
 void HistoryRequests::on_gone(const std::vector<SampleId>& ids) {

@@ -79,7 +79,7 @@ std::pair<std::vector<LogHistory::SampleId>, std::vector<LogHistory::SampleId>> 
 }
 
 void LogHistory::confirm(std::vector<SampleId> ids) {
-  requests_.on_given(ids);
+  requests_.on_delivered(ids);
   parts_.store.confirm(std::move(ids));
 }
 
@@ -180,7 +180,7 @@ void LogHistory::add_to(tocsin_msgs::msg::LinkState& message) const {
     fetch.topic(progress.topic);
     fetch.state(word_of(progress.state));
     fetch.found(progress.found);
-    fetch.given(progress.given);
+    fetch.delivered(progress.delivered);
     fetch.gone(progress.gone);
     message.fetches().push_back(std::move(fetch));
   }

@@ -58,12 +58,12 @@ class LogHistory {
 
   /// Stands for half a minute, unless it is repeated.
   void request(const router::HistoryRange& range, Time now);
-  /// Of a rule: stands until all of it has crossed, or for a day after its end, over the instances
-  /// of this router. False: too many stand.
+  /// Of a rule: stands until all of it was delivered, or for a day after its end, over the
+  /// instances of this router. False: too many stand.
   [[nodiscard]] bool request(const router::RuleRequest& request, Instant at);
   /// Whether the requests of rules of earlier instances are known; before, none is to be made.
   [[nodiscard]] bool knows_requests() const { return knows_requests_; }
-  /// Rules of which an earlier instance has made a request whose end is still to come; once.
+  /// Rules of which an earlier instance has made a request whose end is in the future; once.
   [[nodiscard]] std::set<std::string> take_resumed_rules() { return std::exchange(resumed_, {}); }
 
   void follow(Instant at);

@@ -18,14 +18,15 @@ constexpr std::size_t longest_requests = 1'000'000;  // [byte]
 
 }  // namespace
 
-RouterStore::RouterStore(Devices& devices, StorePlace place, std::function<void()> on_answer)
-    : devices_(devices), place_(std::move(place)), on_answer_(std::move(on_answer)) {}
+RouterStore::RouterStore(const Computer& computer, StorePlace place,
+                         std::function<void()> on_answer)
+    : computer_(computer), place_(std::move(place)), on_answer_(std::move(on_answer)) {}
 
 RouterStore::~RouterStore() { background_.reset(); }
 
 void RouterStore::open(Instant at) {
   if (background_) return;
-  background_ = devices_.open_background();
+  background_ = computer_.open_background();
   post([this, at] { open_files(at); });
 }
 
@@ -36,10 +37,10 @@ void RouterStore::open_files(Instant at) {
     files_.folder = std::make_unique<sample_log::FolderFiles>(place_.folder);
     files_.log =
         std::make_unique<sample_log::SampleLog>(*files_.folder, place_.limits, at, place_.use);
-    files_.given = std::make_unique<sample_log::Ledger>(*files_.folder, "given");
+    files_.delivered = std::make_unique<sample_log::Ledger>(*files_.folder, "given");
     opened.waiting = files_.log->waiting();
     for (const auto& entry : files_.log->streams()) opened.streams.push_back(entry.second);
-    opened.given = files_.given->done();
+    opened.delivered = files_.delivered->done();
     opened.requests = read_requests();
   } catch (const ConfigError& error) {
     answer(store_answer::Problem{std::string(error.what()) + "; nothing is stored"});
@@ -126,9 +127,9 @@ void RouterStore::note_delivered(std::vector<sample_log::SampleId> ids,
                                  std::optional<std::uint64_t> token) {
   if (ids.empty() && !token) return;
   post([this, ids = std::move(ids), token] {
-    if (files_.given) {
-      for (const sample_log::SampleId& id : ids) files_.given->add(id);
-      (void)files_.given->save();  // what fails is tried again with the next
+    if (files_.delivered) {
+      for (const sample_log::SampleId& id : ids) files_.delivered->add(id);
+      (void)files_.delivered->save();  // what fails is tried again with the next
     }
     if (token) answer(store_answer::Saved{*token});
   });
@@ -143,7 +144,7 @@ void RouterStore::keep(Time now) {
       answer(store_answer::Contents{files_.log->contents()});
     }
     files_.log->sync();
-    files_.given->sync();
+    files_.delivered->sync();
   });
 }
 

@@ -13,7 +13,7 @@
 #include <variant>
 #include <vector>
 
-#include "devices/devices.hpp"
+#include "devices/computer.hpp"
 #include "foundation/instant.hpp"
 #include "sample_log/ledger.hpp"
 #include "sample_log/sample_log.hpp"
@@ -25,7 +25,7 @@ namespace store_answer {
 struct Opened {  ///< first of all: what earlier instances left
   std::vector<sample_log::SampleId> waiting;
   std::vector<sample_log::LoggedStream> streams;
-  sample_log::SampleSet given;
+  sample_log::SampleSet delivered;
   std::string requests;  ///< that keep_requests kept
 };
 struct Appended {
@@ -38,7 +38,7 @@ struct Read {
 struct Retired {
   std::vector<sample_log::SampleId> ids;
 };
-struct Saved {  ///< what was given to the host up to here is safe
+struct Saved {  ///< what was delivered to the host up to here is safe
   std::uint64_t token;
 };
 struct Found {  ///< of a search
@@ -63,14 +63,14 @@ struct StorePlace {
   sample_log::LogUse use = sample_log::LogUse::queue;
 };
 
-/// A log of what a router sends, and the ledger of what it has given, in one folder, used in the
-/// background: nothing here waits for a disk. A folder that cannot be used, a full disk and a disk
-/// that does not answer cost what would have been stored, and one line of a Problem.
+/// A log of what a router sends, and the ledger of what it has delivered, in one folder, used in
+/// the background: nothing here waits for a disk. A folder that cannot be used, a full disk and a
+/// disk that does not answer cost what would have been stored, and one line of a Problem.
 ///
 /// One thread calls everything. `on_answer` is called by any thread when `take` has something.
 class RouterStore {
  public:
-  RouterStore(Devices& devices, StorePlace place, std::function<void()> on_answer);
+  RouterStore(const Computer& computer, StorePlace place, std::function<void()> on_answer);
   /// Waits until all that was asked for is done.
   ~RouterStore();
   RouterStore(const RouterStore&) = delete;
@@ -88,7 +88,7 @@ class RouterStore {
   void forget(std::vector<sample_log::SampleId> ids);
   /// Replaces what is kept of requests for the next instance.
   void keep_requests(std::string text);
-  /// The host was given these. A token is answered when that is safe.
+  /// The host was delivered these. A token is answered when that is safe.
   void note_delivered(std::vector<sample_log::SampleId> ids, std::optional<std::uint64_t> token);
   /// To be called now and then: what is too old goes, and power cuts take nothing older.
   void keep(Time now);
@@ -100,7 +100,7 @@ class RouterStore {
   struct Files {
     std::unique_ptr<sample_log::FolderFiles> folder;  ///< null: it cannot be used
     std::unique_ptr<sample_log::SampleLog> log;
-    std::unique_ptr<sample_log::Ledger> given;
+    std::unique_ptr<sample_log::Ledger> delivered;
   };
   void open_files(Instant at);
   void append_now(const sample_log::LogEntry& entry, Instant at);
@@ -112,7 +112,7 @@ class RouterStore {
   }
   void answer(StoreAnswer answer);
 
-  Devices& devices_;
+  const Computer& computer_;
   const StorePlace place_;
   const std::function<void()> on_answer_;
   bool is_behind_ = false;  ///< more waits than may

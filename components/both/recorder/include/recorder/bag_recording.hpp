@@ -8,22 +8,28 @@
 #include <vector>
 
 #include "bag/bag_writer.hpp"
-#include "recorder/recording.hpp"
+#include "recorder/topic_choice.hpp"
+#include "runtime/bus.hpp"
 
 namespace tocsin {
 
 /// A bag with the messages as they are on the wire: `bag` in the folder, or `bag_2`, ... for a
 /// recorder that was started again, since a bag belongs to one process. On a full disk it begins
-/// when there is room.
-class BagRecording final : public Recording {
+/// when there is room. One thread. After its constructor nothing throws; what a full disk takes is
+/// counted.
+class BagRecording {
  public:
   /// Throws ConfigError naming the folder when it cannot be made.
   BagRecording(const std::string& directory, mcap::Compression compression);
 
-  [[nodiscard]] std::size_t add(const ChosenTopic& topic) override;
-  void write(std::size_t topic, const Sample& sample) override;
-  void flush() override;
-  [[nodiscard]] std::uint64_t lost() const override;
+  /// The number by which `write` knows the topic, which must outlive the recording.
+  [[nodiscard]] std::size_t add(const ChosenTopic& topic);
+  /// A sample of a topic. It may reach the disk later.
+  void write(std::size_t topic, const Sample& sample);
+  /// Brings all that waits to the disk.
+  void flush();
+  /// Messages that did not reach the disk since the beginning.
+  [[nodiscard]] std::uint64_t lost() const;
 
  private:
   /// Throws ConfigError.

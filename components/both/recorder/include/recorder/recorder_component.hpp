@@ -3,11 +3,13 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "foundation/enum_words.hpp"
 #include "foundation/parameters.hpp"
-#include "recorder/recording.hpp"
+#include "recorder/bag_recording.hpp"
 #include "recorder/topic_choice.hpp"
 #include "runtime/component.hpp"
 #include "runtime/port.hpp"
@@ -25,22 +27,19 @@ class RecorderComponent final : public Component {
     bool link_topics = true;
     bool backfilled = false;
     std::vector<std::string> topics;
-    bool csv = true;
-    bool bag = true;
-    std::string bag_compression = "zstd";
+    mcap::Compression bag_compression = mcap::Compression::zstd;
     template <class Visitor>
     void visit(Visitor& v) {
       live(v)("recording", recording,
               "whether it records now; each time it begins, a bag of its own");
-      v("directory", directory, "folder of the files; made when absent; empty: run folder/role");
+      v("directory", directory, "folder of the bag; made when absent; empty: run folder/role");
       v("flush_period_s", flush_period_s, {0.05, 60}, "[s] between writes to the disk");
       v("link_topics", link_topics, "whether every topic that crosses the link is recorded");
       v("backfilled", backfilled,
         "whether of each of these also <topic>/backfilled is, where a router gives stored samples");
       v("topics", topics, "others: names, patterns, or NAME TYPE [QOS [host|link]]");
-      v("csv", csv, "whether CSV files are written, which other programs read");
-      v("bag", bag, "whether a bag is written, which tocsin bag, ros2 bag and Foxglove open");
-      v("bag_compression", bag_compression, {"none", "lz4", "zstd"}, "of the bag's chunks");
+      visit_enum(v, "bag_compression", bag_compression, Choices{"none", "lz4", "zstd"},
+                 "of the bag's chunks");
     }
   };
 
@@ -56,9 +55,9 @@ class RecorderComponent final : public Component {
   void follow_wish(Time now);
   void take_samples();
   [[nodiscard]] std::unique_ptr<InputPort> listen_to(const ChosenTopic& topic);
-  /// One topic: where it comes from, and its number in each recording.
+  /// One topic: where it comes from, and its number in the recording.
   struct Track {
-    std::vector<std::size_t> numbers;
+    std::size_t number;
     std::unique_ptr<InputPort> input;
   };
   void flush(Time now);
@@ -73,7 +72,7 @@ class RecorderComponent final : public Component {
   Time began_{};
   std::int64_t began_wall_ns_ = 0;
   bool said_fault_ = false;
-  std::vector<std::unique_ptr<Recording>> recordings_;  ///< none: it does not record
+  std::optional<BagRecording> recording_;  ///< none: it does not record
   std::vector<Track> tracks_;
   bool disk_full_ = false;
   std::uint64_t lost_ = 0;

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "decision/policy.hpp"
-#include "decision/quality_index.hpp"
+#include "decision/qni.hpp"
 #include "foundation/time.hpp"
 
 namespace tocsin {
@@ -28,7 +28,7 @@ class TransmissionController {
  public:
   struct Params {
     decision::PolicyParams policy;
-    decision::QualityIndexParams quality;
+    decision::QniParams quality;
     double quality_timeout_s = 3.0;
     bool silence_is_poor = false;
 
@@ -47,18 +47,16 @@ class TransmissionController {
   explicit TransmissionController(const Params& params);
 
   /// A measurement that was received at `now`.
-  TransmissionDecision on_quality(const decision::QualityMeasurement& measured, Time now);
+  TransmissionDecision on_quality(const decision::QniInput& measured, Time now);
   /// To be called at deadline(): a decision when silence or the end of a pause asks for one.
   std::optional<TransmissionDecision> on_time(Time now);
   [[nodiscard]] Time deadline() const;
   [[nodiscard]] const char* policy_name() const { return policy_->name(); }
-  /// What was learned of the site's good link; empty with laws `fixed`.
-  [[nodiscard]] std::optional<decision::LearnedLaw> learned() const { return policy_->learned(); }
 
  private:
   TransmissionDecision conclude(const decision::Evidence& evidence, Time now);
 
-  decision::QualityIndex index_;
+  decision::QniModel index_;
   std::unique_ptr<decision::Policy> policy_;
   Duration timeout_;
   bool silence_is_poor_;

@@ -8,8 +8,8 @@
 
 namespace tocsin {
 
-/// Publishes the transmission state of its role with the evidence of every decision, the role's
-/// heartbeat, and, where laws are learned, what was learned as a status of `diagnostics`.
+/// Publishes the transmission state of its role with the evidence of every decision, and the role's
+/// heartbeat.
 class TransmissionControllerComponent final : public Component {
  public:
   struct Params {
@@ -28,19 +28,14 @@ class TransmissionControllerComponent final : public Component {
  private:
   void publish(const TransmissionDecision& decision, Time now);
   void beat(Time now);
-  void report_laws(Time now);
-  void log_laws(const decision::LearnedLaw& law);
 
   Input<topic::NetworkQuality> quality_{*this};
   Output<topic::TransmissionState> state_{*this};
   Output<topic::Heartbeat> heartbeat_{*this};
-  Output<topic::Diagnostics> diagnostics_{*this};
   TransmissionController controller_;
   Duration heartbeat_period_;
   Time next_beat_{};
   std::uint32_t beats_ = 0;
-  bool proposed_ = false;
-  unsigned applied_ = 0;
 };
 
 }  // namespace tocsin

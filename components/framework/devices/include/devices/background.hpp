@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 
 namespace tocsin {
 
@@ -16,5 +17,8 @@ class Background {
   /// How much was posted and is not done: who posts without end looks here first.
   [[nodiscard]] virtual std::size_t waiting() const = 0;
 };
+
+/// Without a thread.
+[[nodiscard]] std::unique_ptr<Background> work_at_once();
 
 }  // namespace tocsin

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cerrno>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -30,12 +31,18 @@ struct SendResult {
   int error = 0;  ///< errno (ENETUNREACH, ENOBUFS, ...); 0 when sent
 };
 
-/// Sends echo requests to one host and takes its replies. Nothing blocks or throws.
+/// Sends echo requests to one host and takes its replies. Opening throws ConfigError when the
+/// target is no IPv4 address, EnvironmentError when this process may not send. Nothing else blocks
+/// or throws.
 class EchoDevice : public Device {
  public:
-  [[nodiscard]] virtual SendResult send(std::uint16_t sequence) = 0;
+  static constexpr const char* kind = "echo target";
+  using Address = EchoTarget;
+  [[nodiscard]] static std::string text(const EchoTarget& target) { return target.address; }
+
+  [[nodiscard]] virtual SendResult send(std::uint16_t /*sequence*/) { return {{}, ENETUNREACH}; }
   /// The next reply to a request of this device; empty when there is none.
-  [[nodiscard]] virtual std::optional<EchoReply> receive() = 0;
+  [[nodiscard]] virtual std::optional<EchoReply> receive() { return std::nullopt; }
 };
 
 }  // namespace tocsin

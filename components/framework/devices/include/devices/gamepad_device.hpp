@@ -23,13 +23,15 @@ struct PadAxis {
 };
 using PadAxes = std::map<std::uint16_t, PadAxis>;  ///< by code
 
-/// A gamepad that is plugged in. Nothing blocks or throws.
+/// A gamepad that is plugged in; that of an empty path is the first there is. Nothing blocks or
+/// throws.
 class GamepadDevice : public Device {
  public:
+  static constexpr const char* kind = "gamepad";
   enum class Read { event, nothing, lost };
-  [[nodiscard]] virtual std::string name() const = 0;
-  [[nodiscard]] virtual PadAxes axes() const = 0;
-  [[nodiscard]] virtual Read read(PadEvent& event) = 0;
+  [[nodiscard]] virtual std::string name() const { return {}; }
+  [[nodiscard]] virtual PadAxes axes() const { return {}; }
+  [[nodiscard]] virtual Read read(PadEvent& /*event*/) { return Read::nothing; }
 };
 
 }  // namespace tocsin

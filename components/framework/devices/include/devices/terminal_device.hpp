@@ -8,15 +8,17 @@
 
 namespace tocsin {
 
-/// Where keys come from and lines go to. Nothing blocks or throws.
+/// The terminal of this process: keys without echo and without waiting for Enter, as before again
+/// when it is destroyed; without a terminal standard input as it is. Nothing blocks or throws.
 class TerminalDevice : public Device {
  public:
+  static constexpr const char* kind = "terminal";
   /// The bytes that wait; empty when nothing can come any more.
-  [[nodiscard]] virtual std::optional<std::string> read() = 0;
+  [[nodiscard]] virtual std::optional<std::string> read() { return std::nullopt; }
   /// Text that stays.
-  virtual void print(const std::string& text) = 0;
+  virtual void print(const std::string& /*text*/) {}
   /// A line that the next one replaces.
-  virtual void show(const std::string& line) = 0;
+  virtual void show(const std::string& /*line*/) {}
 };
 
 }  // namespace tocsin

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "devices/device.hpp"
+
 namespace tocsin::network {
 
 /// Where a reading comes from. `absent`: nothing to read, the note says why.
@@ -33,13 +35,21 @@ struct WirelessReading {
   std::optional<double> channel_busy_ms;  ///< of it, sensed busy
 };
 
+/// An interface, and the file in the format of /proc/net/wireless for what the kernel cannot tell.
+struct WirelessAddress {
+  std::string interface;
+  std::string file;
+};
+
 /// A wireless interface.
-class WirelessDevice {
+class WirelessDevice : public Device {
  public:
-  virtual ~WirelessDevice() = default;
+  static constexpr const char* kind = "wireless interface";
+  using Address = WirelessAddress;
+  [[nodiscard]] static std::string text(const Address& address) { return address.interface; }
   /// What it tells now. Never throws, blocks well below 1 ms; what cannot be read is absent, with
   /// the reason.
-  [[nodiscard]] virtual WirelessReading read() = 0;
+  [[nodiscard]] virtual WirelessReading read();
 };
 
 /// The largest `quality`.

@@ -128,4 +128,4 @@ class ActionClient {
 
 }  // namespace tocsin
 
-#include "runtime/middleware/action_port_definitions.hpp"
+#include "runtime/detail/action_port_definitions.hpp"

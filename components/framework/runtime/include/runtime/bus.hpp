@@ -2,23 +2,30 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "foundation/time.hpp"
 #include "idl_support/topic_info.hpp"
 #include "idl_support/type_info.hpp"
-#include "runtime/middleware/accounts.hpp"
-#include "runtime/middleware/endpoint_facts.hpp"
-#include "runtime/middleware/link_bus.hpp"
-#include "runtime/middleware/services.hpp"
+#include "runtime/detail/services.hpp"
 
 namespace tocsin {
 
-struct QosChange;
+class HostControl;
+class LinkAccess;
+
+/// Whether a reader is of use without a writer; for `tocsin check`, no bus looks at it.
+enum class Writers { needed, optional };
+
+/// A writer that a subscription hears now.
+struct WriterInfo {
+  std::string name;       ///< of its participant, as discovery tools show it; not unique
+  std::string user_data;  ///< all that it announces
+  double lifespan_s = std::numeric_limits<double>::infinity();  ///< of its samples
+};
 
 /// What became of a write.
 enum class [[nodiscard]] Status{
@@ -85,8 +92,6 @@ class Publication {
   }
   /// False: nobody would notice a write, now or as a late joiner. Thread-safe.
   [[nodiscard]] virtual bool has_readers() const { return true; }
-  /// Asks `load` what will be written, if this bus wants to know.
-  virtual void expect(const std::function<ExpectedLoad()>& load) { (void)load; }
 };
 
 /// The only seam between components and the middleware.
@@ -108,33 +113,14 @@ class Bus {
                                           ClientReceiver& /*receiver*/) {
     return nullptr;
   }
-  /// Of its topics, without slashes; empty for none.
-  [[nodiscard]] virtual const std::string& ros_namespace() const {
-    static const std::string none;
-    return none;
-  }
-  /// Who asks from outside. Thread-safe.
-  [[nodiscard]] virtual Callers callers() const { return {}; }
-  /// `notice` is called, by any thread, when that may have changed; it must not block. Empty ends
-  /// it, and waits for a call that is running.
-  virtual void watch_callers(const std::function<void()>& /*notice*/) {}
-
   /// The clock of this bus: real, or virtual in a simulation.
   [[nodiscard]] virtual Time now() const = 0;
   [[nodiscard]] virtual std::int64_t wall_ns(Time t) const = 0;  ///< [ns], for stamps only
 
-  /// For link_router: its way over the radio, which calls `on_event`. Null: there is none.
-  virtual std::unique_ptr<LinkBus> open_link(const std::function<void()>& /*on_event*/) {
-    return nullptr;
-  }
-  /// Changes policies of this process's ends of a topic while they are in use. The number of these
-  /// ends; 0: there are none. Throws ConfigError for what cannot change. Thread-safe.
-  virtual int change_qos(const QosChange& /*change*/) { return 0; }
-  /// Tells ROS 2's peers which nodes this process has, when that or the peers have changed. Called
-  /// now and then by one thread of the process.
-  virtual void update_graph() {}
-  /// Of every DDS endpoint of this process. Thread-safe.
-  [[nodiscard]] virtual std::vector<EndpointHealth> health() const { return {}; }
+  /// What a container looks at and changes. It lives as long as the bus.
+  [[nodiscard]] virtual HostControl& host_control();
+  /// For link_router: its host's way over the radio. Null: this process has none.
+  [[nodiscard]] virtual LinkAccess* link_access() { return nullptr; }
 };
 
 }  // namespace tocsin

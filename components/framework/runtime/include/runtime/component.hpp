@@ -11,18 +11,18 @@
 #include <utility>
 #include <vector>
 
-#include "devices/devices.hpp"
+#include "devices/computer.hpp"
 #include "foundation/role.hpp"
 #include "foundation/time.hpp"
 #include "ros_idl/builtin_interfaces.hpp"
 #include "runtime/bus.hpp"
+#include "runtime/detail/schedule.hpp"
 #include "runtime/logger.hpp"
-#include "runtime/middleware/schedule.hpp"
 
 namespace tocsin {
 
 /// What a component is given at construction. What is not said by name is as it is for a component
-/// that runs alone: no folder, nothing that it can end, the devices of this computer.
+/// that runs alone: no folder, nothing that it can end, this computer.
 struct Context {
   Context(Bus& its_bus, std::string its_name, Role its_role)
       : bus(its_bus), name(std::move(its_name)), role(its_role) {}
@@ -33,16 +33,18 @@ struct Context {
   std::string run_dir;  ///< folder for files of this run, which exists; empty: there is none
   /// Ends the process with this code after the current tick; 0 is "my work is done".
   std::function<void(int)> request_exit = [](int) {};
-  std::reference_wrapper<Devices> devices = real_devices();  ///< of its computer
+  std::reference_wrapper<const Computer> computer = this_computer();
   std::uint64_t seed = 0;  ///< of the process, from the run's: see process_seed
   std::string node;        ///< what ROS 2 calls it; empty: `name`
 
   [[nodiscard]] Context with_run_dir(std::string folder) const;
   [[nodiscard]] Context with_request_exit(std::function<void(int)> request) const;
-  [[nodiscard]] Context with_devices(Devices& its_devices) const;
+  [[nodiscard]] Context with_computer(const Computer& its_computer) const;
   [[nodiscard]] Context with_seed(std::uint64_t its_seed) const;
   [[nodiscard]] Context with_node(std::string its_node) const;
 
+  /// Those of its computer.
+  [[nodiscard]] const Devices& devices() const { return computer.get().devices; }
   /// The file that this instance keeps for its successor, as ".pose"; empty where none is kept.
   [[nodiscard]] std::string state_path(const std::string& extension) const;
 };

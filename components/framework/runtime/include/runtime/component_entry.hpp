@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "runtime/middleware/component_parts.hpp"
+#include "runtime/detail/component_parts.hpp"
 
 /// Makes a class loadable by its library's name: once, at the end of the component's .cpp file.
 ///

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <atomic>
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -10,7 +9,7 @@
 
 #include "runtime/bus.hpp"
 #include "runtime/component.hpp"
-#include "runtime/middleware/sample_queue.hpp"
+#include "runtime/detail/sample_queue.hpp"
 
 namespace tocsin {
 
@@ -18,15 +17,11 @@ namespace tocsin {
 /// triggered: of a component that acts at its own rate, and would only look at it before).
 enum class WakeMode { event_triggered, time_triggered };
 
-/// Whether an input hears that instances of a topic with a key have ended.
-enum class InstanceEnds { ignored, heard };
-
 /// The reading end of a topic, without its C++ type: a queue that drops its oldest sample when it
 /// is full. Filled by the bus from any thread, emptied by the component's tick.
 class InputPort : private Receiver {
  public:
-  InputPort(Component& owner, const Endpoint& endpoint, WakeMode wake = WakeMode::event_triggered,
-            InstanceEnds ends = InstanceEnds::ignored);
+  InputPort(Component& owner, const Endpoint& endpoint, WakeMode wake = WakeMode::event_triggered);
   ~InputPort() override;
 
   /// Whether there is one to take; costs nothing.
@@ -44,13 +39,9 @@ class InputPort : private Receiver {
   static constexpr std::size_t capacity = 64;
   void receive(const Sample& sample) override { receive_last(Sample(sample)); }
   void receive_last(Sample&& sample) override;
-  void instance_ended(const Sample& sample) override {
-    if (ends_ == InstanceEnds::heard) receive(sample);
-  }
   Component& owner_;
   const Endpoint endpoint_;
   const WakeMode wake_mode_;
-  const InstanceEnds ends_;
   mutable std::mutex mutex_;
   SampleQueue queue_{capacity};
   std::atomic<bool> has_sample_{false};  ///< so that to look into an empty queue takes no lock
@@ -84,32 +75,6 @@ class Input : public InputPort {
   }
 };
 
-/// What an input of a topic with a key takes.
-template <class Message>
-struct InstanceSample {
-  std::shared_ptr<const Message> message;  ///< null when the instance has ended
-  std::uint64_t instance = 0;              ///< the same for the same key
-  InstanceState state = InstanceState::alive;
-};
-
-/// An input of a topic whose type has a key: it tells instances apart, and hears when one ends.
-template <class Topic>
-class KeyedInput : public InputPort {
- public:
-  using Message = typename Topic::Message;
-  explicit KeyedInput(Component& owner, WakeMode wake = WakeMode::event_triggered)
-      : InputPort(owner, {Topic::info, &type_info<Message>()}, wake, InstanceEnds::heard) {}
-
-  /// The oldest that was not taken yet.
-  [[nodiscard]] std::optional<InstanceSample<Message>> take() {
-    auto sample = take_sample();
-    if (!sample) return std::nullopt;
-    return InstanceSample<Message>{
-        std::static_pointer_cast<const Message>(std::move(sample->message)), sample->instance,
-        sample->state};
-  }
-};
-
 /// An input that may well have no writer in a deployment: what people order now and then, what is
 /// shown or recorded if there is any. `tocsin check` does not warn of it.
 template <class Topic>
@@ -138,21 +103,8 @@ class Output {
   Status write(const std::shared_ptr<const Message>& message) {
     return publication_->write(message);
   }
-  /// Of a topic with a key: says that the instance of this message is no more.
-  Status dispose(Message message) {
-    return publication_->end_instance(std::make_shared<const Message>(std::move(message)),
-                                      InstanceState::disposed);
-  }
-  /// Of a topic with a key: this output does not write the instance of this message any more.
-  Status unregister(Message message) {
-    return publication_->end_instance(std::make_shared<const Message>(std::move(message)),
-                                      InstanceState::no_writers);
-  }
   /// False: nobody would get it now, nor later, so that a message may as well not be made.
   [[nodiscard]] bool wanted() const { return publication_->has_readers(); }
-  /// For writers of much data, in their constructor: lets `tocsin check` know how much. `load` is
-  /// called at once or never.
-  void expect(const std::function<ExpectedLoad()>& load) { publication_->expect(load); }
 
  private:
   std::unique_ptr<Publication> publication_;

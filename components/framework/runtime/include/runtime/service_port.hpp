@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "runtime/middleware/service_ports.hpp"
+#include "runtime/detail/service_ports.hpp"
 
 namespace tocsin {
 

@@ -10,6 +10,7 @@
 
 #include "runtime/bus.hpp"
 #include "runtime/component.hpp"
+#include "runtime/host_control.hpp"
 #include "runtime/middleware/qos_profile.hpp"
 
 namespace tocsin {
@@ -27,7 +28,7 @@ class LocalServices;
 ///     bus.publish<topic::LinkSample>(sample);
 ///     bus.run_for(seconds(1));
 ///     EXPECT_EQ(states.take().size(), 1U);
-class SimBus : public Bus {
+class SimBus : public Bus, private HostControl {
  public:
   /// Virtual time starts at one hour, wall time at 2026-01-01 00:00 UTC. Topics have the shipped
   /// profiles; one with a profile of another name has what DDS has by default.
@@ -42,7 +43,7 @@ class SimBus : public Bus {
                                    ServerReceiver& receiver) override;
   std::unique_ptr<ClientEnd> call(const ServiceEndpoint& endpoint,
                                   ClientReceiver& receiver) override;
-  [[nodiscard]] Callers callers() const override;
+  [[nodiscard]] HostControl& host_control() override { return *this; }
   [[nodiscard]] Time now() const override { return now_; }
   [[nodiscard]] std::int64_t wall_ns(Time t) const override;
 
@@ -63,6 +64,7 @@ class SimBus : public Bus {
   }
 
  private:
+  [[nodiscard]] Callers callers() const override;
   class Topic;
   class Writer;
   static constexpr std::uint64_t anybody = 1;

@@ -20,9 +20,9 @@ Context Context::with_request_exit(std::function<void(int)> request) const {
   return other;
 }
 
-Context Context::with_devices(Devices& its_devices) const {
+Context Context::with_computer(const Computer& its_computer) const {
   Context other = *this;
-  other.devices = its_devices;
+  other.computer = its_computer;
   return other;
 }
 
@@ -39,7 +39,7 @@ Context Context::with_node(std::string its_node) const {
 }
 
 std::string Context::state_path(const std::string& extension) const {
-  if (run_dir.empty() || !devices.get().keeps_files()) return {};
+  if (run_dir.empty() || !computer.get().keeps_files) return {};
   return run_dir + "/" + name + extension;
 }
 

@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "component/log_lines.hpp"
 #include "foundation/error.hpp"
 #include "foundation/time.hpp"
 #include "runtime/middleware/log_clock.hpp"

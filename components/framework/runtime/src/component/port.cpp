@@ -13,12 +13,10 @@ Endpoint of_node(Endpoint endpoint, const std::string& node) {
 
 }  // namespace
 
-InputPort::InputPort(Component& owner, const Endpoint& endpoint, WakeMode wake_mode,
-                     InstanceEnds ends)
+InputPort::InputPort(Component& owner, const Endpoint& endpoint, WakeMode wake_mode)
     : owner_(owner),
       endpoint_(of_node(endpoint, owner.node())),
       wake_mode_(wake_mode),
-      ends_(ends),
       subscription_(owner.bus().subscribe(endpoint_, *this)) {
   owner_.add_port(*this);
 }

@@ -18,10 +18,10 @@
 #include "foundation/spelling.hpp"
 #include "foundation/yaml_sources.hpp"
 #include "runtime/middleware/component_library.hpp"
-#include "runtime/middleware/composition_service.hpp"
 #include "runtime/middleware/container_states.hpp"
 #include "runtime/middleware/host_bus.hpp"
 #include "runtime/middleware/ros_parameters.hpp"
+#include "runtime/middleware/ros_services.hpp"
 #include "runtime/middleware/service_caller.hpp"
 
 namespace tocsin {

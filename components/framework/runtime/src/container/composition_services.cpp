@@ -8,6 +8,7 @@
 
 #include "foundation/error.hpp"
 #include "foundation/printable.hpp"
+#include "runtime/host_control.hpp"
 #include "runtime/middleware/qos_change.hpp"
 #include "runtime/middleware/ros_parameters.hpp"
 
@@ -62,14 +63,14 @@ const Instance* CompositionServices::find(const std::string& name) const {
 }
 
 std::string CompositionServices::path_of(const std::string& name) const {
-  const std::string& home = owner_.bus().ros_namespace();
+  const std::string& home = owner_.bus().host_control().ros_namespace();
   return (home.empty() ? "/" : "/" + home + "/") + name;
 }
 
 composition_service::LoadNode::Response CompositionServices::loaded(
     const composition_service::LoadNode::Request& request, const Load& load) const {
   composition_service::LoadNode::Response response;
-  const LoadReading reading = read_load(request, owner_.bus().ros_namespace());
+  const LoadReading reading = read_load(request, owner_.bus().host_control().ros_namespace());
   const Outcome outcome = reading.order ? load(*reading.order) : Outcome{false, reading.fault};
   const Instance* const made = outcome.done ? find(reading.order->name) : nullptr;
   response.success(made != nullptr);
@@ -136,7 +137,7 @@ bool CompositionServices::answer_set_qos() {
     const auto& request = *call->request;
     composition_service::SetQos::Response response;
     try {
-      response.ends(static_cast<std::uint32_t>(owner_.bus().change_qos(
+      response.ends(static_cast<std::uint32_t>(owner_.bus().host_control().change_qos(
           {request.topic(), request.writers(), request.readers(), request.settings()})));
       response.success(true);
     } catch (const ConfigError& error) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "container/instances.hpp"
-#include "runtime/middleware/composition_service.hpp"
+#include "runtime/middleware/ros_services.hpp"
 #include "runtime/service_port.hpp"
 
 namespace tocsin {

@@ -6,13 +6,14 @@
 #include <cstdio>
 #include <utility>
 
-#include "fast_dds/dropped_packets.hpp"
 #include "foundation/error.hpp"
 #include "foundation/free_space.hpp"
+#include "graph/ros_graph.hpp"
 #include "runtime/middleware/component_library.hpp"
 #include "runtime/middleware/container_states.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
 #include "runtime/middleware/refused_names.hpp"
+#include "watch/dropped_packets.hpp"
 #include "watch/resident_memory.hpp"
 
 namespace tocsin {

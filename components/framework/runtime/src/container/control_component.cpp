@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "container/control_component.hpp"
+#include "runtime/host_control.hpp"
 
 #include <algorithm>
 
@@ -20,10 +21,10 @@ ControlComponent::ControlComponent(Context& context, const HealthLimits& limits,
       instances_(instances),
       computer_(std::move(computer)),
       served_(*this, instances, process_.parameter_services) {
-  bus().watch_callers([this] { schedule().input_arrived(); });
+  bus().host_control().watch_callers([this] { schedule().input_arrived(); });
 }
 
-ControlComponent::~ControlComponent() { bus().watch_callers({}); }
+ControlComponent::~ControlComponent() { bus().host_control().watch_callers({}); }
 
 void ControlComponent::tick(Time now) {
   bool changed = instances_.settle_failures();
@@ -38,7 +39,7 @@ void ControlComponent::tick(Time now) {
   served_.tell_log();
   if (changed) {
     publish_state(now);
-    bus().update_graph();
+    bus().host_control().update_graph();
   }
   wake_at(next_report_);
 }
@@ -120,7 +121,7 @@ void ControlComponent::add_process(Time now, diagnostic_msgs::msg::DiagnosticArr
 }
 
 void ControlComponent::add_endpoints(diagnostic_msgs::msg::DiagnosticArray& array) {
-  for (const EndpointHealth& endpoint : bus().health()) {
+  for (const EndpointHealth& endpoint : bus().host_control().health()) {
     if (!is_eventful(endpoint)) continue;
     const std::string key = endpoint.topic + (endpoint.writer ? ">" : "<");
     EndpointHealth& before = endpoints_before_[key];

@@ -12,6 +12,7 @@
 #include "container/instances.hpp"
 #include "container/served_nodes.hpp"
 #include "deployment/deployment.hpp"
+#include "runtime/host_control.hpp"
 #include "runtime/port.hpp"
 #include "tocsin_idl/topics.hpp"
 

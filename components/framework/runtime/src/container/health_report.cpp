@@ -8,6 +8,7 @@
 #include "foundation/free_space.hpp"
 #include "foundation/joined.hpp"
 #include "foundation/printable.hpp"
+#include "runtime/host_control.hpp"
 #include "watch/resident_memory.hpp"
 
 namespace tocsin {

@@ -8,9 +8,10 @@
 #include "deployment/deployment.hpp"
 #include "ros_idl/diagnostic_msgs.hpp"
 #include "rtps_filter/drop_account.hpp"
-#include "runner/tick_account.hpp"
 #include "runtime/component.hpp"
+#include "runtime/host_control.hpp"
 #include "runtime/middleware/refused_names.hpp"
+#include "runtime/middleware/tick_account.hpp"
 
 namespace tocsin {
 

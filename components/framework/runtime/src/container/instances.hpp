@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "container/lifecycle.hpp"
-#include "runner/tick_account.hpp"
 #include "runtime/component_entry.hpp"
 #include "runtime/middleware/ros_parameters.hpp"
+#include "runtime/middleware/tick_account.hpp"
 
 namespace tocsin {
 

@@ -7,7 +7,7 @@
 
 #include "container/instances.hpp"
 #include "container/ros_lifecycle.hpp"
-#include "runtime/middleware/lifecycle_service.hpp"
+#include "runtime/middleware/ros_services.hpp"
 #include "runtime/service_port.hpp"
 
 namespace tocsin {

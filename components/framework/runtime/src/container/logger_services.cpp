@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "container/logger_services.hpp"
 
+#include "component/log_lines.hpp"
 #include "container/rosout.hpp"
 #include "foundation/printable.hpp"
-#include "runtime/middleware/log_lines.hpp"
+#include "runtime/host_control.hpp"
 
 namespace tocsin {
 
@@ -24,7 +25,8 @@ LoggerServices::LoggerServices(Component& owner, const std::string& node)
 
 Outcome LoggerServices::set(const rcl_interfaces::msg::LoggerLevel& given,
                             const HasNode& has_node) {
-  const std::string node = node_of_logger(owner_.bus().ros_namespace(), given.name());
+  const std::string node =
+      node_of_logger(owner_.bus().host_control().ros_namespace(), given.name());
   if (!node.empty() && !has_node(node)) {
     return {false, printable(given.name()) + ": no logger of this process has this name"};
   }
@@ -41,7 +43,7 @@ void LoggerServices::answer(const HasNode& has_node) {
   while (const auto call = get_.take()) {
     logger_service::GetLoggerLevels::Response response;
     for (const std::string& name : call->request->names()) {
-      const std::string node = node_of_logger(owner_.bus().ros_namespace(), name);
+      const std::string node = node_of_logger(owner_.bus().host_control().ros_namespace(), name);
       rcl_interfaces::msg::LoggerLevel level;
       level.name(name);
       level.level(static_cast<std::uint32_t>(level_of(node)));

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "graph/node_of_service.hpp"
-#include "runtime/middleware/composition_service.hpp"
+#include "runtime/middleware/ros_services.hpp"
 
 namespace tocsin {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "container/instances.hpp"
-#include "runtime/middleware/parameter_service.hpp"
 #include "runtime/middleware/ros_parameters.hpp"
+#include "runtime/middleware/ros_services.hpp"
 #include "runtime/service_port.hpp"
 
 namespace tocsin {

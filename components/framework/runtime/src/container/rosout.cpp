@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "runtime/host_control.hpp"
 #include "runtime/middleware/ros_stamp.hpp"
 
 namespace tocsin {
@@ -55,7 +56,7 @@ void Rosout::write(const LogLine& line) {
   auto message = std::make_shared<RosoutTopic::Message>();
   message->stamp(ros_stamp(std::chrono::nanoseconds(line.time.time_since_epoch()).count()));
   message->level(static_cast<std::uint8_t>(line.level));
-  message->name(logger_name(owner_.bus().ros_namespace(), line.node));
+  message->name(logger_name(owner_.bus().host_control().ros_namespace(), line.node));
   message->msg(line.text);
   message->file(file_name(line.place.file));
   message->function(line.place.function);

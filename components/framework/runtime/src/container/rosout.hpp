@@ -6,9 +6,9 @@
 #include <set>
 #include <string>
 
+#include "component/log_lines.hpp"
 #include "ros_idl/rcl_interfaces.hpp"
 #include "runtime/component.hpp"
-#include "runtime/middleware/log_lines.hpp"
 
 namespace tocsin {
 

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "runtime/host_control.hpp"
 #include "runtime/middleware/ros_stamp.hpp"
 
 namespace tocsin {
@@ -25,7 +26,7 @@ bool ServedNodes::is_asked(bool called, const Callers& callers) const {
 }
 
 void ServedNodes::note_callers(Time now) {
-  const Callers callers = owner_.bus().callers();
+  const Callers callers = owner_.bus().host_control().callers();
   for (const Instance& instance : instances_.all()) {
     if (!is_asked(calls_services_of(instance.name, callers.services), callers)) continue;
     Served& served = served_[instance.id];
@@ -118,7 +119,7 @@ void ServedNodes::tell_change(const Instance& instance,
                               const std::vector<rcl_interfaces::msg::Parameter>& changed,
                               Time now) {
   if (changed.empty()) return;
-  const std::string& home = owner_.bus().ros_namespace();
+  const std::string& home = owner_.bus().host_control().ros_namespace();
   rcl_interfaces::msg::ParameterEvent event;
   event.stamp(ros_stamp(owner_.bus().wall_ns(now)));
   event.node((home.empty() ? "/" : "/" + home + "/") + instance.name);

@@ -14,6 +14,7 @@
 #include "container/node_services.hpp"
 #include "container/rosout.hpp"
 #include "deployment/deployment.hpp"
+#include "runtime/host_control.hpp"
 #include "runtime/port.hpp"
 
 namespace tocsin {

@@ -54,7 +54,7 @@ TypeSource ros_source_of(const RosDescription& type) {
   return source;
 }
 
-GetTypeDescription::Response refusal(std::string reason) {
+GetTypeDescription::Response no_description(std::string reason) {
   GetTypeDescription::Response response;
   response.failure_reason(std::move(reason));
   return response;
@@ -65,11 +65,11 @@ GetTypeDescription::Response refusal(std::string reason) {
 GetTypeDescription::Response describe_type(const GetTypeDescription::Request& request) {
   const std::string& hash = request.type_hash();
   if (!is_type_hash(hash)) {
-    return refusal("'" + printable(hash, 80) +
-                   "' is no type hash: RIHS01_ and 64 of 0 to 9, a to f");
+    return no_description("'" + printable(hash, 80) +
+                          "' is no type hash: RIHS01_ and 64 of 0 to 9, a to f");
   }
   const std::vector<RosDescription> types = describe_ros_hash(hash);
-  if (types.empty()) return refusal("no type of this node has the hash " + hash);
+  if (types.empty()) return no_description("no type of this node has the hash " + hash);
   GetTypeDescription::Response response;
   response.successful(true);
   response.type_description().type_description(individual(types[0]));

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/middleware/services.hpp"
+#include "runtime/detail/services.hpp"
 
 namespace tocsin {
 

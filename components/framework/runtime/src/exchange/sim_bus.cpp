@@ -6,6 +6,7 @@
 
 #include "exchange/local_services.hpp"
 #include "foundation/error.hpp"
+#include "runtime/host_control.hpp"
 #include "runtime/middleware/topic_exchange.hpp"
 
 namespace tocsin {

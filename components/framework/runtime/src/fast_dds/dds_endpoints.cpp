@@ -6,8 +6,9 @@
 #include "fast_dds/cdr_topic_type.hpp"
 #include "fast_dds/instance_key.hpp"
 #include "fast_dds/raw_ends.hpp"
-#include "fast_dds/socket_wait.hpp"
-#include "link/origin.hpp"
+#include "rtps/origin.hpp"
+#include "runtime/host_control.hpp"
+#include "transport/socket_wait.hpp"
 
 namespace tocsin {
 namespace {

@@ -13,8 +13,9 @@
 #include "fast_dds/endpoint_account.hpp"
 #include "fast_dds/fast_dds_participant.hpp"
 #include "fast_dds/single_drainer.hpp"
+#include "graph/ros_graph.hpp"
+#include "runtime/host_control.hpp"
 #include "runtime/middleware/replay_filter.hpp"
-#include "runtime/middleware/ros_graph.hpp"
 #include "runtime/middleware/topic_exchange.hpp"
 
 namespace tocsin {

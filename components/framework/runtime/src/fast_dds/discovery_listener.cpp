@@ -10,8 +10,8 @@
 #include <array>
 #include <limits>
 
-#include "fast_dds/packet_filter.hpp"
 #include "foundation/printable.hpp"
+#include "transport/packet_filter.hpp"
 
 namespace tocsin {
 namespace {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fast_dds/endpoint_account.hpp"
+#include "runtime/host_control.hpp"
 
 #include <algorithm>
 #include <map>

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "runtime/bus.hpp"
+#include "runtime/host_control.hpp"
 #include "runtime/logger.hpp"
 
 namespace tocsin {

@@ -10,12 +10,16 @@
 #include "fast_dds/graph_writer.hpp"
 #include "fast_dds/node_ends.hpp"
 #include "fast_dds/service_ends.hpp"
-#include "fast_dds/this_host.hpp"
 #include "fast_dds/topic_channel.hpp"
 #include "foundation/error.hpp"
 #include "foundation/ros_names.hpp"
+#include "graph/ros_graph.hpp"
+#include "rtps/this_host.hpp"
 #include "runner/tick_time.hpp"
+#include "runtime/host_control.hpp"
 #include "runtime/middleware/host_graph.hpp"
+#include "runtime/middleware/link_bus.hpp"
+#include "runtime/middleware/qos_change.hpp"
 
 namespace tocsin {
 namespace {
@@ -52,7 +56,7 @@ ParticipantOptions host_options(const BusOptions& options, const QosProfiles& pr
   return host;
 }
 
-class FastDdsBus : public Bus {
+class FastDdsBus final : public Bus, private HostControl, private LinkAccess {
  public:
   explicit FastDdsBus(const BusOptions& options)
       : options_(options),
@@ -69,24 +73,27 @@ class FastDdsBus : public Bus {
   void withdraw(TopicChannel& topic, std::uint64_t source);
   [[nodiscard]] Time now() const override { return std::chrono::steady_clock::now(); }
   [[nodiscard]] std::int64_t wall_ns(Time t) const override;
-  std::unique_ptr<LinkBus> open_link(const std::function<void()>& on_event) override {
-    if (options_.link_address.empty()) return nullptr;
-    return make_fast_dds_link_bus(options_, on_event);
-  }
-  int change_qos(const QosChange& change) override;
   std::unique_ptr<ServerEnd> serve(const ServiceEndpoint& endpoint,
                                    ServerReceiver& receiver) override;
   std::unique_ptr<ClientEnd> call(const ServiceEndpoint& endpoint,
                                   ClientReceiver& receiver) override;
+  [[nodiscard]] HostControl& host_control() override { return *this; }
+  [[nodiscard]] LinkAccess* link_access() override {
+    return options_.link_address.empty() ? nullptr : this;
+  }
+  [[nodiscard]] LocalNodes& nodes() { return nodes_; }
+
+ private:
   [[nodiscard]] const std::string& ros_namespace() const override { return options_.ros_namespace; }
   [[nodiscard]] Callers callers() const override;
   void watch_callers(const std::function<void()>& notice) override { watch_.set(notice); }
   void update_graph() override { graph_.tell(nodes_.all()); }
+  int change_qos(const QosChange& change) override;
   [[nodiscard]] std::vector<EndpointHealth> health() const override;
-  [[nodiscard]] LocalNodes& nodes() { return nodes_; }
-  [[nodiscard]] const BusOptions& options() const { return options_; }
-
- private:
+  [[nodiscard]] std::unique_ptr<HostGraph> open_graph() const override;
+  std::unique_ptr<LinkBus> open_link(const std::function<void()>& on_event) override {
+    return make_fast_dds_link_bus(options_, on_event);
+  }
   TopicChannel& channel(const Endpoint& endpoint);
   [[nodiscard]] std::unique_ptr<TopicChannel> make_channel(const Endpoint& endpoint);
 
@@ -248,18 +255,16 @@ std::vector<EndpointHealth> FastDdsBus::health() const {
   return all;
 }
 
+std::unique_ptr<HostGraph> FastDdsBus::open_graph() const {
+  BusOptions options = options_;
+  options.name += "_graph";
+  return make_host_graph(options);
+}
+
 }  // namespace
 
 std::unique_ptr<Bus> make_fast_dds_bus(const BusOptions& options) {
   return std::make_unique<FastDdsBus>(options);
-}
-
-std::unique_ptr<HostGraph> open_host_graph(const Bus& bus) {
-  const auto* const joined = dynamic_cast<const FastDdsBus*>(&bus);
-  if (joined == nullptr) return nullptr;
-  BusOptions options = joined->options();
-  options.name += "_graph";
-  return make_host_graph(options);
 }
 
 }  // namespace tocsin

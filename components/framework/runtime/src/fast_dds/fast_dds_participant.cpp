@@ -10,12 +10,12 @@
 #include <utility>
 
 #include "fast_dds/cdr_topic_type.hpp"
-#include "fast_dds/fast_dds_qos.hpp"
-#include "fast_dds/packet_filter.hpp"
 #include "foundation/error.hpp"
+#include "graph/ros_graph.hpp"
 #include "idl_support/type_registry.hpp"
+#include "runtime/middleware/fast_dds_qos.hpp"
 #include "runtime/middleware/idl_libraries.hpp"
-#include "runtime/middleware/ros_graph.hpp"
+#include "transport/packet_filter.hpp"
 
 namespace tocsin {
 namespace {

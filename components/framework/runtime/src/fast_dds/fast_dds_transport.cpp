@@ -10,13 +10,13 @@
 
 #include <filesystem>
 
-#include "fast_dds/fast_dds_qos.hpp"
-#include "fast_dds/host_multicast.hpp"
-#include "fast_dds/host_side.hpp"
-#include "fast_dds/packet_filter.hpp"
 #include "keystore/enclave.hpp"
-#include "link/radio_side.hpp"
+#include "runtime/middleware/fast_dds_qos.hpp"
 #include "runtime/middleware/link_limits.hpp"
+#include "transport/host_multicast.hpp"
+#include "transport/host_side.hpp"
+#include "transport/packet_filter.hpp"
+#include "transport/radio_side.hpp"
 
 namespace tocsin {
 namespace {

@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "fast_dds/deferred_reception.hpp"
 #include "fast_dds/remote_ends.hpp"
+#include "fast_dds_v2/deferred_reception.hpp"
 #include "foundation/time.hpp"
-#include "link/radio_marks.hpp"
-#include "link/stop_channel.hpp"
-#include "link/writer_numbers.hpp"
+#include "rtps/writer_numbers.hpp"
 #include "runtime/middleware/qos_profile.hpp"
+#include "transport/radio_marks.hpp"
+#include "transport/stop_channel.hpp"
 
 namespace tocsin {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fast_dds/graph_writer.hpp"
+#include "graph/ros_graph.hpp"
 
 #include <utility>
 

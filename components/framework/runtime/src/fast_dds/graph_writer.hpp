@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fast_dds/raw_ends.hpp"
+#include "graph/ros_graph.hpp"
 
 namespace tocsin {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "fast_dds/service_ends.hpp"
-#include "runtime/middleware/ros_graph.hpp"
+#include "graph/ros_graph.hpp"
 
 namespace tocsin {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "fast_dds/cdr_topic_type.hpp"
-#include "link/raw_type.hpp"
+#include "idl_support/raw_type.hpp"
 
 namespace tocsin {
 namespace {

@@ -14,7 +14,7 @@
 
 #include "fast_dds/fast_dds_participant.hpp"
 #include "fast_dds/single_drainer.hpp"
-#include "runtime/middleware/ros_graph.hpp"
+#include "graph/ros_graph.hpp"
 
 namespace tocsin {
 

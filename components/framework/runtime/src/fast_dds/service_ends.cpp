@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cstring>
 
-#include "fast_dds/this_host.hpp"
 #include "idl_support/decode.hpp"
 #include "idl_support/encode.hpp"
+#include "rtps/this_host.hpp"
 
 namespace tocsin {
 namespace {

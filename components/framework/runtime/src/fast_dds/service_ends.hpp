@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "fast_dds/raw_ends.hpp"
-#include "graph/service_wire.hpp"
-#include "runtime/middleware/services.hpp"
+#include "rtps/service_wire.hpp"
+#include "runtime/detail/services.hpp"
 
 namespace tocsin {
 

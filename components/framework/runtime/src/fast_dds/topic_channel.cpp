@@ -7,6 +7,8 @@
 #include "fast_dds/instance_key.hpp"
 #include "fast_dds/layout_digest.hpp"
 #include "foundation/error.hpp"
+#include "runtime/host_control.hpp"
+#include "runtime/middleware/qos_change.hpp"
 #include "runtime/middleware/qos_profile.hpp"
 
 namespace tocsin {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "fast_dds/dds_endpoints.hpp"
+#include "runtime/host_control.hpp"
 #include "runtime/middleware/qos_change.hpp"
 
 namespace tocsin {

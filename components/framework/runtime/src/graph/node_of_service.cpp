@@ -5,8 +5,7 @@
 
 #include "container/logger_services.hpp"
 #include "container/type_description_service.hpp"
-#include "runtime/middleware/lifecycle_service.hpp"
-#include "runtime/middleware/parameter_service.hpp"
+#include "runtime/middleware/ros_services.hpp"
 
 namespace tocsin {
 

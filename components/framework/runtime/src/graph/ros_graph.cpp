@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/middleware/ros_graph.hpp"
+#include "graph/ros_graph.hpp"
 
 #include <fmt/format.h>
 

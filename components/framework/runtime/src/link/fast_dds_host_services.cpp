@@ -6,7 +6,8 @@
 
 #include "foundation/ros_names.hpp"
 #include "graph/node_of_service.hpp"
-#include "link/raw_type.hpp"
+#include "graph/ros_graph.hpp"
+#include "idl_support/raw_type.hpp"
 #include "link/router_name.hpp"
 
 namespace tocsin {

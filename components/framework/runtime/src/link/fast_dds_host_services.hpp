@@ -6,6 +6,7 @@
 #include <string>
 
 #include "fast_dds/node_ends.hpp"
+#include "graph/ros_graph.hpp"
 #include "link/service_table.hpp"
 #include "runtime/logger.hpp"
 #include "runtime/middleware/host_services.hpp"

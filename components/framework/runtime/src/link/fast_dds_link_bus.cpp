@@ -5,16 +5,18 @@
 #include <chrono>
 #include <utility>
 
-#include "fast_dds/this_host.hpp"
 #include "foundation/error.hpp"
+#include "graph/ros_graph.hpp"
 #include "idl_support/decode.hpp"
 #include "idl_support/encode.hpp"
+#include "idl_support/raw_type.hpp"
 #include "keystore/participant.hpp"
 #include "link/flow_qos.hpp"
-#include "link/origin.hpp"
-#include "link/raw_type.hpp"
 #include "link/router_name.hpp"
 #include "link/sound_identity.hpp"
+#include "rtps/origin.hpp"
+#include "rtps/this_host.hpp"
+#include "runtime/middleware/link_bus.hpp"
 #include "runtime/middleware/link_limits.hpp"
 
 namespace tocsin {

@@ -2,23 +2,25 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
 
 #include "fast_dds/graph_writer.hpp"
 #include "foundation/error.hpp"
+#include "graph/ros_graph.hpp"
 #include "link/fast_dds_host_services.hpp"
 #include "link/flow_ends.hpp"
 #include "link/flow_readers.hpp"
 #include "link/flow_table.hpp"
 #include "link/late_interface.hpp"
-#include "link/radio_marks.hpp"
-#include "link/stop_channel.hpp"
-#include "link/writer_numbers.hpp"
+#include "rtps/writer_numbers.hpp"
 #include "runtime/logger.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
 #include "runtime/middleware/link_bus.hpp"
+#include "transport/radio_marks.hpp"
+#include "transport/stop_channel.hpp"
 
 namespace tocsin {
 

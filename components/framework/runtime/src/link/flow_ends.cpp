@@ -4,9 +4,11 @@
 #include <tuple>
 #include <utility>
 
-#include "fast_dds/socket_wait.hpp"
-#include "link/origin.hpp"
-#include "link/raw_type.hpp"
+#include "graph/ros_graph.hpp"
+#include "idl_support/raw_type.hpp"
+#include "rtps/origin.hpp"
+#include "runtime/middleware/link_bus.hpp"
+#include "transport/socket_wait.hpp"
 
 namespace tocsin {
 namespace {

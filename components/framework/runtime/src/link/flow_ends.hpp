@@ -13,6 +13,7 @@
 #include "fast_dds/fast_dds_participant.hpp"
 #include "fast_dds/node_ends.hpp"
 #include "fast_dds/single_drainer.hpp"
+#include "graph/ros_graph.hpp"
 #include "runtime/middleware/link_bus.hpp"
 
 namespace tocsin {

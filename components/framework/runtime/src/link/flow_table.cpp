@@ -6,7 +6,7 @@
 
 #include "foundation/hash.hpp"
 #include "link/flow_text.hpp"
-#include "link/origin.hpp"
+#include "rtps/origin.hpp"
 #include "runtime/middleware/link_permissions.hpp"
 #include "runtime/middleware/refused_names.hpp"
 
@@ -22,14 +22,6 @@ bool is_sample(const LinkEvent& event) {
 }
 
 }  // namespace
-
-TopicNames::TopicNames(const std::string& ros_namespace)
-    : prefix_(ros_namespace.empty() ? "rt/" : "rt/" + ros_namespace + "/") {}
-
-std::optional<std::string> TopicNames::of_people(const std::string& on_wire) const {
-  const bool ours = on_wire.compare(0, prefix_.size(), prefix_) == 0;
-  return ours ? std::optional(on_wire.substr(prefix_.size())) : std::nullopt;
-}
 
 FlowTable::FlowTable(const std::string& ros_namespace, const TrafficRules& rules,
                      std::function<void()> on_event)

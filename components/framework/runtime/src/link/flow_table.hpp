@@ -14,22 +14,11 @@
 
 #include "fast_dds/remote_ends.hpp"
 #include "link/peer_instances.hpp"
+#include "qos/topic_names.hpp"
 #include "runtime/logger.hpp"
 #include "runtime/middleware/link_bus.hpp"
 
 namespace tocsin {
-
-/// A flow's topic in both worlds: `rt/ns/location` on the wire, `location` for people.
-class TopicNames {
- public:
-  explicit TopicNames(const std::string& ros_namespace);
-  [[nodiscard]] std::string on_wire(const std::string& topic) const { return prefix_ + topic; }
-  /// Nothing when the name is of another namespace, or of no topic.
-  [[nodiscard]] std::optional<std::string> of_people(const std::string& on_wire) const;
-
- private:
-  std::string prefix_;
-};
 
 /// Which flows there are on a host and on the link, from what discovery tells, and what has
 /// happened to them. Of the link it takes what the rules say, of a host and of each peer at most

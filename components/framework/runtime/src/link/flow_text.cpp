@@ -63,11 +63,4 @@ void read_announcement(Flow& flow) {
   flow.stored = words->stored == std::string_view(stored_word);
 }
 
-bool operator==(const Flow& one, const Flow& other) {
-  return one.topic == other.topic && one.type == other.type && one.reliable == other.reliable &&
-         one.transient_local == other.transient_local && one.depth == other.depth &&
-         one.lifespan_s == other.lifespan_s && one.user_data == other.user_data &&
-         one.stored == other.stored;
-}
-
 }  // namespace tocsin

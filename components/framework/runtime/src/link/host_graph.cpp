@@ -12,9 +12,11 @@
 
 #include "fast_dds/graph_writer.hpp"
 #include "fast_dds/service_ends.hpp"
-#include "fast_dds/this_host.hpp"
+#include "graph/ros_graph.hpp"
+#include "idl_support/raw_type.hpp"
 #include "link/flow_ends.hpp"
-#include "link/raw_type.hpp"
+#include "rtps/this_host.hpp"
+#include "runtime/middleware/link_bus.hpp"
 
 namespace tocsin {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "fast_dds/this_host.hpp"
 #include "foundation/error.hpp"
 #include "foundation/joined.hpp"
 #include "keystore/enclave.hpp"
+#include "rtps/this_host.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
 
 namespace tocsin {

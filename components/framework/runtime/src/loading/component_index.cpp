@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/middleware/component_index.hpp"
+#include "runtime/middleware/component_library.hpp"
 
 #include <algorithm>
 #include <cstdlib>

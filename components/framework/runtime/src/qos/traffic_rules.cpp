@@ -16,6 +16,7 @@
 #include "foundation/spelling.hpp"
 #include "foundation/yaml_file.hpp"
 #include "named_class.hpp"
+#include "qos/vehicle_chain.hpp"
 #include "runtime/middleware/action_ports.hpp"
 
 namespace tocsin {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/middleware/vehicle_chain.hpp"
+#include "qos/vehicle_chain.hpp"
 
 #include <algorithm>
 #include <string_view>

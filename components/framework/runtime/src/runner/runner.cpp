@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runner/runner.hpp"
+#include "runtime/middleware/runner.hpp"
 
 #include <pthread.h>
 #include <sys/prctl.h>
@@ -7,21 +7,26 @@
 #include <exception>
 #include <utility>
 
+#include "runner/sleeper.hpp"
 #include "runner/tick_time.hpp"
 
 namespace tocsin {
 
 Runner::Runner(const std::string& name, Bus& bus, Component& component, TickAccount& account,
                std::function<void()> on_failure)
-    : bus_(bus), component_(component), account_(account), on_failure_(std::move(on_failure)) {
-  component_.schedule().set_waker(&sleeper_);
+    : bus_(bus),
+      component_(component),
+      account_(account),
+      on_failure_(std::move(on_failure)),
+      sleeper_(std::make_unique<Sleeper>()) {
+  component_.schedule().set_waker(sleeper_.get());
   thread_ = std::thread([this] { run(); });
   pthread_setname_np(thread_.native_handle(), name.substr(0, 15).c_str());
 }
 
 Runner::~Runner() {
   stopping_ = true;
-  sleeper_.wake();
+  sleeper_->wake();
   thread_.join();
   component_.schedule().set_waker(nullptr);
 }
@@ -29,7 +34,7 @@ Runner::~Runner() {
 bool Runner::stop(Duration patience) {
   std::unique_lock<std::mutex> lock(mutex_);
   stopping_ = true;
-  sleeper_.wake();
+  sleeper_->wake();
   stopping_ = stopped_.wait_for(lock, patience, [this] { return has_ended_; });
   return stopping_;
 }
@@ -84,12 +89,12 @@ void Runner::fail(const std::string& error) {
 
 void Runner::sleep() {
   const Schedule& schedule = component_.schedule();
-  sleeper_.announce();
+  sleeper_->announce();
   if (stopping_) return;
   if (failed_) {
-    sleeper_.sleep(never, {});
+    sleeper_->sleep(never, {});
   } else if (!schedule.input_pending) {
-    due_ = sleeper_.sleep(schedule.due(), schedule.descriptors);
+    due_ = sleeper_->sleep(schedule.due(), schedule.descriptors);
   }
 }
 

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "container/instances.hpp"
-#include "runner/runner.hpp"
+#include "runtime/middleware/runner.hpp"
 
 namespace tocsin {
 

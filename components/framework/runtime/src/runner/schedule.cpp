@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/middleware/schedule.hpp"
+#include "runtime/detail/schedule.hpp"
 
 #include <string>
 

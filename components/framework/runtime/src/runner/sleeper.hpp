@@ -14,7 +14,7 @@ namespace tocsin {
 /// Lets one thread sleep until a deadline, a descriptor or a call of `wake`. Without descriptors it
 /// sleeps on a futex, which wakes faster than a poll. Waking a thread that is awake costs no
 /// system call.
-class Sleeper : public Waker {
+class Sleeper final : public Waker {
  public:
   Sleeper();
   ~Sleeper();

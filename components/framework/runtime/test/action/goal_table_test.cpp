@@ -89,35 +89,23 @@ TEST_F(GoalTableTest, RefusesWhatTheStateDoesNotAllow) {
   EXPECT_EQ(sut_.state(id(2)), GoalState::unknown);
 }
 
-TEST_F(GoalTableTest, CancelsTheOneThatIsMeant) {
-  execute(1, 5);
-  execute(2, 6);
-  const auto answer = sut_.cancel({id(2), 0}, t0);
-  EXPECT_EQ(answer.code, CancelCode::none);
-  EXPECT_THAT(ids(answer), ElementsAre(id(2)));
-  EXPECT_EQ(sut_.state(id(1)), GoalState::executing);
-  EXPECT_EQ(sut_.state(id(2)), GoalState::canceling);
-}
-
-TEST_F(GoalTableTest, WithoutIdAndStampAllAreMeant) {
-  execute(1, 5);
-  execute(2, 6);
-  ASSERT_TRUE(sut_.apply(id(1), GoalEvent::succeed, t0));
-  EXPECT_THAT(ids(sut_.cancel({}, t0)), ElementsAre(id(2)));
-}
-
-TEST_F(GoalTableTest, WithAStampThoseOfThenAndBeforeAreMeant) {
-  execute(1, 5);
-  execute(2, 6);
-  execute(3, 7);
-  EXPECT_THAT(ids(sut_.cancel({GoalId{}, 6}, t0)), ElementsAre(id(1), id(2)));
-}
-
-TEST_F(GoalTableTest, WithBothThatOneAndThoseBefore) {
-  execute(1, 5);
-  execute(2, 6);
-  execute(3, 7);
-  EXPECT_THAT(ids(sut_.cancel({id(3), 5}, t0)), ElementsAre(id(1), id(3)));
+TEST(GoalTableCancel, CancelsThoseThatAreMeantByIdByStampOrByNeither) {
+  for (const auto& [request, meant] :
+       std::vector<std::pair<CancelRequest, std::vector<GoalId>>>{{{id(2), 0}, {id(2)}},
+                                                                  {{}, {id(1), id(2), id(3)}},
+                                                                  {{GoalId{}, 6}, {id(1), id(2)}},
+                                                                  {{id(3), 5}, {id(1), id(3)}}}) {
+    GoalTable sut{std::chrono::seconds(10)};
+    for (std::uint8_t goal = 1; goal <= 4; ++goal) {
+      ASSERT_TRUE(sut.add(id(goal), 4 + goal));
+      ASSERT_TRUE(sut.apply(id(goal), GoalEvent::execute, t0));
+    }
+    ASSERT_TRUE(sut.apply(id(4), GoalEvent::succeed, t0));
+    const auto answer = sut.cancel(request, t0);
+    EXPECT_EQ(answer.code, CancelCode::none);
+    EXPECT_EQ(ids(answer), meant);
+    for (const GoalId& goal : meant) EXPECT_EQ(sut.state(goal), GoalState::canceling);
+  }
 }
 
 TEST_F(GoalTableTest, SaysWhyNothingIsCanceled) {

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
+#include <functional>
+
 #include "runtime/component_entry.hpp"
 #include "runtime/sim_bus.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/middleware/log_lines.hpp"
+#include "component/log_lines.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/middleware/sample_queue.hpp"
+#include "runtime/detail/sample_queue.hpp"
 
 #include <gtest/gtest.h>
 

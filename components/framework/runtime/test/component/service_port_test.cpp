@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ros_idl/std_srvs.hpp"
+#include "runtime/host_control.hpp"
 #include "runtime/sim_bus.hpp"
 
 namespace tocsin {
@@ -180,9 +181,9 @@ TEST_F(ServicePortTest, AServerThatIsNotTakenFromKeepsTheNewestRequests) {
 }
 
 TEST_F(ServicePortTest, TheBusTellsWhichServicesAreCalled) {
-  EXPECT_TRUE(bus_.callers().services.empty());
+  EXPECT_TRUE(bus_.host_control().callers().services.empty());
   Caller sut(caller_context_);
-  EXPECT_EQ(bus_.callers().services, std::vector<std::string>{"lamp/set"});
+  EXPECT_EQ(bus_.host_control().callers().services, std::vector<std::string>{"lamp/set"});
 }
 
 }  // namespace

@@ -14,8 +14,8 @@
 #include "container/staged_process.hpp"
 #include "deployment/deployment.hpp"
 #include "foundation/temporary_folder.hpp"
+#include "runtime/detail/schedule.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
-#include "runtime/middleware/schedule.hpp"
 #include "tocsin_idl/topics.hpp"
 
 namespace tocsin {

@@ -22,7 +22,7 @@
 #include "foundation/temporary_folder.hpp"
 #include "runtime/middleware/container_states.hpp"
 #include "runtime/middleware/host_bus.hpp"
-#include "runtime/middleware/lifecycle_service.hpp"
+#include "runtime/middleware/ros_services.hpp"
 #include "runtime/middleware/service_caller.hpp"
 #include "tocsin_idl/topics.hpp"
 

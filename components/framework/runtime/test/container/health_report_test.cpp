@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "container/health_report.hpp"
+#include "runtime/host_control.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -7,8 +7,7 @@
 
 #include <stdexcept>
 
-#include "container/control_component.hpp"
-#include "container/node_asker.hpp"
+#include "container/control_rig.hpp"
 
 namespace tocsin {
 namespace {
@@ -47,15 +46,12 @@ struct TransitionEvents {
   static constexpr TopicInfo info{"lamp/transition_event", "event", Scope::host};
 };
 
-class LifecycleServicesTest : public ::testing::Test {
+class LifecycleServicesTest : public ControlRig {
  protected:
-  LifecycleServicesTest() {
-    instances_.add("lamp", "lamp", std::make_shared<const YAML::Node>(YAML::Load("{}")), {});
+  LifecycleServicesTest() : ControlRig(entry_of) {
+    add("lamp", "lamp");
     instances_.activate_all();
-    control_.emplace(
-        context_, HealthLimits{}, ProcessName{"uxv", "light", 7}, instances_,
-        ControlComponent::Computer{[] { return 0; }, [](auto&) { return std::nullopt; }});
-    bus_.add(*control_);
+    start();
   }
   bool change(std::uint8_t id, const char* label = "") {
     Asker<lifecycle::ChangeState> sut(bus_, "lamp");
@@ -71,6 +67,14 @@ class LifecycleServicesTest : public ::testing::Test {
     const auto response = sut.ask({});
     return response ? response->current_state().label() : "nobody answers";
   }
+  static composition::LoadNode::Request lamp(const char* name, const char* parameter,
+                                             const ParameterValue& value) {
+    auto request = lamp(name);
+    request.parameters().resize(1);
+    request.parameters()[0].name(parameter);
+    request.parameters()[0].value(ros_value(value));
+    return request;
+  }
   static composition::LoadNode::Request lamp(const char* name) {
     composition::LoadNode::Request request;
     request.package_name("lamps");
@@ -79,17 +83,11 @@ class LifecycleServicesTest : public ::testing::Test {
     return request;
   }
   composition::LoadNode::Response load(const composition::LoadNode::Request& request) {
-    Asker<composition::LoadNode> sut(bus_, "light_container");
+    Asker<composition::LoadNode> sut(bus_, "drive_container");
     const auto response = sut.ask(request);
     EXPECT_TRUE(response);
     return response ? *response : composition::LoadNode::Response();
   }
-
-  SimBus bus_;
-  Context context_ = Context(bus_, "control", Role::uxv).with_node("light_container");
-  SimTicker ticker_{bus_};
-  Instances instances_{context_, ticker_, entry_of};
-  std::optional<ControlComponent> control_;
 };
 
 TEST_F(LifecycleServicesTest, ANodeIsLedThroughItsStates) {
@@ -136,19 +134,14 @@ TEST_F(LifecycleServicesTest, ChangesAreTold) {
 }
 
 TEST_F(LifecycleServicesTest, AComponentIsLoadedWithItsParametersListedAndUnloaded) {
-  auto request = lamp("desk_lamp");
-  rcl_interfaces::msg::Parameter brightness;
-  brightness.name("brightness");
-  brightness.value(ros_value(0.75));
-  request.parameters({brightness});
-  const auto loaded = load(request);
+  const auto loaded = load(lamp("desk_lamp", "brightness", 0.75));
   EXPECT_TRUE(loaded.success()) << loaded.error_message();
   EXPECT_EQ(loaded.full_node_name(), "/desk_lamp");
-  Asker<composition::ListNodes> list(bus_, "light_container");
+  Asker<composition::ListNodes> list(bus_, "drive_container");
   EXPECT_THAT(list.ask({})->full_node_names(), ElementsAre("/lamp", "/desk_lamp"));
   EXPECT_EQ(list.ask({})->unique_ids().back(), loaded.unique_id());
   EXPECT_EQ(instances_.parameters(instances_.all().back())[0].value, ParameterValue(0.75));
-  Asker<composition::UnloadNode> unload(bus_, "light_container");
+  Asker<composition::UnloadNode> unload(bus_, "drive_container");
   composition::UnloadNode::Request out;
   out.unique_id(loaded.unique_id());
   EXPECT_TRUE(unload.ask(out)->success());
@@ -177,12 +170,7 @@ TEST_F(LifecycleServicesTest, WhatCannotBeLoadedIsRefusedWithItsReason) {
 }
 
 TEST_F(LifecycleServicesTest, OneThatThrowsWhenItIsMadeIsThereInTheStateError) {
-  auto request = lamp("dark");
-  rcl_interfaces::msg::Parameter broken;
-  broken.name("broken");
-  broken.value(ros_value(true));
-  request.parameters({broken});
-  const auto response = load(request);
+  const auto response = load(lamp("dark", "broken", true));
   EXPECT_FALSE(response.success());
   EXPECT_THAT(response.error_message(), HasSubstr("no bulb"));
   ASSERT_EQ(instances_.all().size(), 2U);

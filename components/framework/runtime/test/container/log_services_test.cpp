@@ -3,9 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "container/control_component.hpp"
+#include "container/control_rig.hpp"
 #include "container/logger_services.hpp"
-#include "container/node_asker.hpp"
 #include "container/rosout.hpp"
 
 namespace tocsin {
@@ -38,22 +37,16 @@ const ComponentEntry& entry_of(const std::string&) {
   return entry;
 }
 
-class LogServicesTest : public ::testing::Test {
+class LogServicesTest : public ControlRig {
  protected:
-  LogServicesTest() {
-    instances_.add("speaker", "speaker", yaml(), {});
-    instances_.add("speaker", "other", yaml(), {});
-    control_.emplace(
-        context_, HealthLimits{}, ProcessName{"uxv", "drive", 7}, instances_,
-        ControlComponent::Computer{[] { return 0; }, [](auto&) { return std::nullopt; }});
-    bus_.add(*control_);
+  LogServicesTest() : ControlRig(entry_of) {
+    add("speaker", "speaker");
+    add("speaker", "other");
+    start();
     instances_.activate_all();
   }
   ~LogServicesTest() override {
     for (const char* node : {"", "speaker", "other"}) log_levels::set(node, LogLevel::unset);
-  }
-  static std::shared_ptr<const YAML::Node> yaml() {
-    return std::make_shared<const YAML::Node>(YAML::Load("{}"));
   }
   rcl_interfaces::msg::SetLoggerLevelsResult set(const std::string& name, std::uint32_t level) {
     Asker<logger_service::SetLoggerLevels> sut(bus_, "speaker");
@@ -75,12 +68,7 @@ class LogServicesTest : public ::testing::Test {
     return texts;
   }
 
-  SimBus bus_;
-  Context context_ = Context(bus_, "control", Role::uxv).with_node("drive_container");
-  SimTicker ticker_{bus_};
-  Instances instances_{context_, ticker_, entry_of};
   SimReader<RosoutTopic> rosout_{bus_};
-  std::optional<ControlComponent> control_;
 };
 
 TEST_F(LogServicesTest, EachLineIsOnRosoutWithItsNodeAndLevel) {

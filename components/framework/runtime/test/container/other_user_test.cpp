@@ -5,13 +5,12 @@
 #include "container/staged_process.hpp"
 #include "fast_dds/bus_fixture.hpp"
 #include "fast_dds/other_user.hpp"
-#include "fast_dds/udp_sockets.hpp"
 #include "foundation/error.hpp"
 #include "foundation/temporary_folder.hpp"
-#include "runtime/middleware/composition_service.hpp"
 #include "runtime/middleware/container_states.hpp"
-#include "runtime/middleware/lifecycle_service.hpp"
+#include "runtime/middleware/ros_services.hpp"
 #include "runtime/middleware/service_caller.hpp"
+#include "transport/udp_sockets.hpp"
 
 namespace tocsin {
 namespace {

@@ -5,15 +5,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "container/control_component.hpp"
-#include "container/node_asker.hpp"
+#include <tuple>
+
+#include "container/control_rig.hpp"
 
 namespace tocsin {
 namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using Mode = deployment::ParameterServices;
 namespace type = rcl_interfaces::msg::ParameterType_Constants;
 
 /// What the component under test has seen.
@@ -77,22 +77,13 @@ rcl_interfaces::msg::Parameter given(const std::string& name, const ParameterVal
   return parameter;
 }
 
-class ParameterServicesTest : public ::testing::Test {
+class ParameterServicesTest : public ControlRig {
  protected:
-  ParameterServicesTest() {
+  ParameterServicesTest() : ControlRig(entry_of, "") {
     speeds.clear();
-    instances_.add("driver", "driver", yaml("{speed_mps: 0.4}"), {});
-    instances_.add("plain", "plain", yaml("{}"), {});
+    add("driver", "driver", "{speed_mps: 0.4}");
+    add("plain", "plain");
     instances_.activate_all();
-  }
-  void start(Mode mode = Mode::on_demand) {
-    control_.emplace(
-        context_, HealthLimits{}, ProcessName{"uxv", "drive", 7, mode}, instances_,
-        ControlComponent::Computer{[] { return 0; }, [](auto&) { return std::nullopt; }});
-    bus_.add(*control_);
-  }
-  static std::shared_ptr<const YAML::Node> yaml(const std::string& text) {
-    return std::make_shared<const YAML::Node>(YAML::Load(text));
   }
   rcl_interfaces::msg::SetParametersResult set_one(const std::string& name,
                                                    const ParameterValue& value) {
@@ -110,12 +101,6 @@ class ParameterServicesTest : public ::testing::Test {
     const auto response = sut.ask(request);
     return response ? response->values().at(0).double_value() : -1;
   }
-
-  SimBus bus_;
-  Context context_{bus_, "control", Role::uxv};
-  SimTicker ticker_{bus_};
-  Instances instances_{context_, ticker_, entry_of};
-  std::optional<ControlComponent> control_;
 };
 
 TEST_F(ParameterServicesTest, AreListedReadAndDescribedAsTheyAre) {

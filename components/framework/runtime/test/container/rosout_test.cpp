@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "idl_support/decode.hpp"
+#include "runtime/host_control.hpp"
 #include "runtime/logger.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
 #include "runtime/middleware/host_graph.hpp"
@@ -79,7 +80,7 @@ TEST(Rosout, IsOfferedAsRos2DoesAndALateReaderReceivesTheLastLines) {
   Owner owner(context);
   Rosout sut(owner);
   sut.serve({"arm"});
-  bus->update_graph();
+  bus->host_control().update_graph();
   warn();
   sut.tell();
 

@@ -3,8 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "container/control_component.hpp"
-#include "container/node_asker.hpp"
+#include "container/control_rig.hpp"
 #include "container/type_description_service.hpp"
 #include "ros_idl/geometry_msgs.hpp"
 #include "ros_idl/std_srvs.hpp"
@@ -90,27 +89,26 @@ class Idle : public Component {
   void tick(Time) override {}
 };
 
-TEST(TypeDescription, IsToldByEachNodeToWhoAsks) {
-  SimBus bus;
-  const Context context = Context(bus, "control", Role::uxv).with_node("drive_container");
-  SimTicker ticker(bus);
-  const ComponentEntry entry = make_component_entry<Idle>();
-  Instances instances(context, ticker,
-                      [&](const std::string&) -> const ComponentEntry& { return entry; });
-  instances.add("idle", "arm", std::make_shared<const YAML::Node>(YAML::Load("{}")), {});
-  Context own = context;
-  ControlComponent control(
-      own, HealthLimits{}, ProcessName{"uxv", "drive", 7}, instances,
-      ControlComponent::Computer{[] { return 0; }, [](auto&) { return std::nullopt; }});
-  bus.add(control);
-  Asker<GetTypeDescription> sut(bus, "arm");
-  const auto response = sut.ask(request_of(type_info<geometry_msgs::msg::Twist>().ros_hash));
-  ASSERT_NE(response, nullptr);
-  EXPECT_TRUE(response->successful());
-  EXPECT_FALSE(Asker<GetTypeDescription>(bus, "leg").available());
-  Asker<GetTypeDescription> container(bus, "drive_container");
-  EXPECT_TRUE(
-      container.ask(request_of(type_info<geometry_msgs::msg::Twist>().ros_hash))->successful());
+const ComponentEntry& idle(const std::string&) {
+  static const ComponentEntry entry = make_component_entry<Idle>();
+  return entry;
+}
+
+class ToldTypes : public ControlRig {
+ protected:
+  ToldTypes() : ControlRig(idle) {}
+};
+
+TEST_F(ToldTypes, AreToldByEachNodeToWhoAsks) {
+  add("idle", "arm");
+  start();
+  for (const char* const node : {"arm", "drive_container"}) {
+    Asker<GetTypeDescription> sut(bus_, node);
+    const auto response = sut.ask(request_of(type_info<geometry_msgs::msg::Twist>().ros_hash));
+    ASSERT_NE(response, nullptr) << node;
+    EXPECT_TRUE(response->successful());
+  }
+  EXPECT_FALSE(Asker<GetTypeDescription>(bus_, "leg").available());
 }
 
 }  // namespace

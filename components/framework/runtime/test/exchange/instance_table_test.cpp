@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/middleware/instance_table.hpp"
+#include "runtime/detail/instance_table.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "runtime/host_control.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
 
 namespace tocsin {
@@ -62,8 +63,8 @@ inline std::unique_ptr<Bus> make_test_bus(int domain, const std::string& qos) {
 }
 
 /// The health of the reader or the writer of `topic`; an empty one when there is none.
-inline EndpointHealth health_of(const Bus& bus, const std::string& topic, bool writer) {
-  for (const EndpointHealth& one : bus.health()) {
+inline EndpointHealth health_of(Bus& bus, const std::string& topic, bool writer) {
+  for (const EndpointHealth& one : bus.host_control().health()) {
     if (one.topic == topic && one.writer == writer) return one;
   }
   return {};

@@ -29,7 +29,7 @@ class EndpointLifeTest : public ::testing::Test {
     }
     return ids;
   }
-  [[nodiscard]] int matched(const Bus& bus, bool writer) const {
+  [[nodiscard]] int matched(Bus& bus, bool writer) const {
     return health_of(bus, topic_.topic.name, writer).matched;
   }
 

@@ -8,6 +8,7 @@
 #include "fast_dds/bus_fixture.hpp"
 #include "foundation/error.hpp"
 #include "runner/tick_time.hpp"
+#include "runtime/host_control.hpp"
 #include "tocsin_idl/topics.hpp"
 
 namespace tocsin {
@@ -128,7 +129,7 @@ TEST_F(FastDdsBusTest, MissingProfileIsAConfigErrorNamingTheTopic) {
   wrong.topic.qos = "nonsense";
   Samples collector;
   EXPECT_THROW((void)bus->subscribe(wrong, collector), ConfigError);
-  EXPECT_TRUE(bus->health().empty()) << "the bus goes on without it";
+  EXPECT_TRUE(bus->host_control().health().empty()) << "the bus goes on without it";
 }
 
 TEST_F(FastDdsBusTest, ALinkTopicWithoutATrafficClassIsAConfigErrorNamingIt) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fast_dds/fast_dds_qos.hpp"
+#include "runtime/middleware/fast_dds_qos.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,8 +8,8 @@
 #include <cstring>
 #include <string>
 
-#include "fast_dds/fast_dds_qos.hpp"
 #include "ros_idl/std_msgs.hpp"
+#include "runtime/middleware/fast_dds_qos.hpp"
 
 namespace tocsin {
 namespace {

@@ -7,6 +7,7 @@
 #include "fast_dds/bus_fixture.hpp"
 #include "foundation/error.hpp"
 #include "ros_idl/std_msgs.hpp"
+#include "runtime/host_control.hpp"
 #include "runtime/middleware/qos_change.hpp"
 
 namespace tocsin {
@@ -22,7 +23,7 @@ class LiveQos : public ::testing::Test {
   }
   static QosChange writers(const std::string& settings) { return {"text", true, false, settings}; }
   static QosChange readers(const std::string& settings) { return {"text", false, true, settings}; }
-  static int matched(const Bus& bus, bool writer) { return health_of(bus, "text", writer).matched; }
+  static int matched(Bus& bus, bool writer) { return health_of(bus, "text", writer).matched; }
 };
 
 std::shared_ptr<const void> said(const std::string& words) {
@@ -39,11 +40,11 @@ TEST_F(LiveQos, ADeadlineThatIsNoLongerOfferedUnmatchesAndIsNamedUntilItIsOffere
   const auto writer = a->advertise(text);
   const auto reader = b->subscribe(text, samples);
   ASSERT_TRUE(eventually([&] { return matched(*a, true) == 1 && matched(*b, false) == 1; }));
-  EXPECT_EQ(a->change_qos(writers("deadline_s: 2")), 1);
+  EXPECT_EQ(a->host_control().change_qos(writers("deadline_s: 2")), 1);
   EXPECT_TRUE(eventually([&] { return matched(*a, true) == 0 && matched(*b, false) == 0; }));
   EXPECT_TRUE(eventually([&] { return health_of(*b, "text", false).misfit == "deadline (test)"; }));
   EXPECT_EQ(health_of(*a, "text", true).misfit, "deadline (test)");
-  EXPECT_EQ(b->change_qos(readers("deadline_s: 3")), 1);
+  EXPECT_EQ(b->host_control().change_qos(readers("deadline_s: 3")), 1);
   EXPECT_TRUE(eventually([&] { return matched(*a, true) == 1 && matched(*b, false) == 1; }));
   EXPECT_EQ(health_of(*a, "text", true).misfit, "");
 }
@@ -60,11 +61,11 @@ TEST_F(LiveQos, AnEndMovesToAnotherPartitionAndBackAndTakesNoOtherTopicAlong) {
   const auto reader = b->subscribe(text, samples);
   const auto reader_of_other = b->subscribe(other, others);
   ASSERT_TRUE(eventually([&] { return matched(*a, true) == 1; }));
-  EXPECT_EQ(a->change_qos(writers("partition: [right]")), 1);
+  EXPECT_EQ(a->host_control().change_qos(writers("partition: [right]")), 1);
   EXPECT_TRUE(eventually([&] { return matched(*a, true) == 0; }));
   EXPECT_EQ(health_of(*a, "other", true).matched, 1);
-  EXPECT_EQ(a->change_qos(writers("partition: []")), 1);
-  EXPECT_EQ(b->change_qos(readers("partition: []")), 1);
+  EXPECT_EQ(a->host_control().change_qos(writers("partition: []")), 1);
+  EXPECT_EQ(b->host_control().change_qos(readers("partition: []")), 1);
   ASSERT_TRUE(eventually([&] { return matched(*a, true) == 1 && matched(*b, false) == 1; }));
   EXPECT_EQ(writer->write(said("again")), Status::ok);
   EXPECT_TRUE(samples.wait_for(1));
@@ -89,7 +90,7 @@ TEST_F(LiveQos, TheOwnerChangesWithTheStrength) {
                : static_cast<const std_msgs::msg::String*>(all.back().message.get())->data();
   };
   ASSERT_TRUE(eventually([&] { return newest() == "strong"; }));
-  EXPECT_EQ(weak->change_qos(writers("ownership_strength: 9")), 1);
+  EXPECT_EQ(weak->host_control().change_qos(writers("ownership_strength: 9")), 1);
   EXPECT_TRUE(eventually([&] { return newest() == "weak"; }));
 }
 
@@ -102,7 +103,7 @@ TEST_F(LiveQos, ALaterReaderOfTheTopicRequestsWhatWasChanged) {
   {
     const auto reader = b->subscribe(text, samples);
     ASSERT_TRUE(eventually([&] { return matched(*a, true) == 1; }));
-    EXPECT_EQ(b->change_qos(readers("deadline_s: 0.5")), 1);
+    EXPECT_EQ(b->host_control().change_qos(readers("deadline_s: 0.5")), 1);
     ASSERT_TRUE(eventually([&] { return matched(*a, true) == 0; }));
   }
   const auto reader = b->subscribe(text, samples);
@@ -114,7 +115,7 @@ TEST_F(LiveQos, TheRateOfAWriterCanChange) {
   Samples samples;
   const auto writer = bus->advertise(text);
   const auto reader = bus->subscribe(text, samples);
-  EXPECT_EQ(bus->change_qos(writers("max_rate_hz: 0.001")), 1);
+  EXPECT_EQ(bus->host_control().change_qos(writers("max_rate_hz: 0.001")), 1);
   for (int i = 0; i < 5; ++i) EXPECT_EQ(writer->write(said("x")), Status::ok);
   EXPECT_EQ(samples.all().size(), 2U) << "one may come early";
   EXPECT_EQ(health_of(*bus, "text", true).thinned, 3U);
@@ -123,18 +124,19 @@ TEST_F(LiveQos, TheRateOfAWriterCanChange) {
 TEST_F(LiveQos, ARequestForNeitherEndIsCheckedOnly) {
   const auto bus = make_test_bus(domain(), "sensor: {max_rate_hz: 10}\n");
   const auto writer = bus->advertise(text);
-  EXPECT_EQ(bus->change_qos({"text", false, false, "max_rate_hz: 0.001"}), 0);
-  EXPECT_THROW(bus->change_qos({"text", false, false, "deadline_s: 0.01"}), ConfigError);
+  EXPECT_EQ(bus->host_control().change_qos({"text", false, false, "max_rate_hz: 0.001"}), 0);
+  EXPECT_THROW(bus->host_control().change_qos({"text", false, false, "deadline_s: 0.01"}),
+               ConfigError);
   for (int i = 0; i < 2; ++i) EXPECT_EQ(writer->write(said("x")), Status::ok);
   EXPECT_EQ(health_of(*bus, "text", true).thinned, 0U) << "the old rate lets two pass";
 }
 
 TEST_F(LiveQos, ATopicThatNobodyHasAndAPolicyThatIsFixedChangeNothing) {
   const auto bus = make_test_bus(domain(), "sensor: {}\n");
-  EXPECT_EQ(bus->change_qos(writers("deadline_s: 1")), 0);
+  EXPECT_EQ(bus->host_control().change_qos(writers("deadline_s: 1")), 0);
   const auto writer = bus->advertise(text);
-  EXPECT_EQ(bus->change_qos(readers("deadline_s: 1")), 0) << "it has no reader";
-  EXPECT_THROW(bus->change_qos(writers("durability: transient_local")), ConfigError);
+  EXPECT_EQ(bus->host_control().change_qos(readers("deadline_s: 1")), 0) << "it has no reader";
+  EXPECT_THROW(bus->host_control().change_qos(writers("durability: transient_local")), ConfigError);
 }
 
 }  // namespace

@@ -22,40 +22,28 @@ class RemoteEndsTest : public ::testing::Test {
   RemoteEnds sut;
 };
 
-TEST_F(RemoteEndsTest, AWriterOfTheSameLayoutFits) {
-  sut.add(guid(7, 1), {"rt/odom", "Odom", "0a", true});
-  EXPECT_EQ(sut.other_type(own_reader), "");
-  EXPECT_FALSE(sut.has_other_layout(guid(7, 1), own_reader));
-}
-
-TEST_F(RemoteEndsTest, AWriterOfAnotherLayoutIsNamedWithItsParticipant) {
-  sut.add(guid(7, 1), {"rt/odom", "Odom", "0b", true});
-  EXPECT_EQ(sut.other_type(own_reader), "Odom with another layout (gcs_main)");
-  EXPECT_TRUE(sut.has_other_layout(guid(7, 1), own_reader));
-}
-
-TEST_F(RemoteEndsTest, AReaderOfAnotherTypeIsNamedToTheWriter) {
-  sut.add(guid(7, 1), {"rt/odom", "Twist", "", false});
-  EXPECT_EQ(sut.other_type(own_writer), "Twist (gcs_main)");
-}
-
-TEST_F(RemoteEndsTest, AnEndThatDoesNotTellItsLayoutFitsByItsTypeName) {
-  sut.add(guid(7, 1), {"rt/odom", "Odom", "", true});
-  EXPECT_EQ(sut.other_type(own_reader), "");
-  EXPECT_FALSE(sut.has_other_layout(guid(7, 1), own_reader));
-}
-
-TEST_F(RemoteEndsTest, OtherTopicsAndEndsOfTheSameKindDoNotMatter) {
-  sut.add(guid(7, 1), {"rt/goal", "Goal", "0b", true});
-  sut.add(guid(7, 2), {"rt/odom", "Twist", "0b", false});
-  EXPECT_EQ(sut.other_type(own_reader), "");
-}
-
-TEST_F(RemoteEndsTest, AnEndThatIsGoneIsForgotten) {
-  sut.add(guid(7, 1), {"rt/odom", "Odom", "0b", true});
-  sut.remove(guid(7, 1));
-  EXPECT_EQ(sut.other_type(own_reader), "");
-  EXPECT_FALSE(sut.has_other_layout(guid(7, 1), own_reader));
+TEST_F(RemoteEndsTest, AnEndOfAnotherTypeOrLayoutIsNamedWithItsParticipantWhileItIsThere) {
+  const struct {
+    AnnouncedEnd remote;
+    AnnouncedEnd own;
+    const char* other_type;
+    bool other_layout;
+  } cases[] = {
+      {{"rt/odom", "Odom", "0a", true}, own_reader, "", false},
+      {{"rt/odom", "Odom", "0b", true}, own_reader, "Odom with another layout (gcs_main)", true},
+      {{"rt/odom", "Twist", "", false}, own_writer, "Twist (gcs_main)", false},
+      {{"rt/odom", "Odom", "", true}, own_reader, "", false},  // tells no layout
+      {{"rt/goal", "Goal", "0b", true}, own_reader, "", false},
+      {{"rt/odom", "Twist", "0b", false}, own_reader, "", false}};
+  for (const auto& [remote, own, other_type, other_layout] : cases) {
+    sut.add(guid(7, 1), remote);
+    EXPECT_EQ(sut.other_type(own), other_type);
+    const bool asked = remote.type == own.type && remote.topic == own.topic;
+    EXPECT_EQ(asked && sut.has_other_layout(guid(7, 1), own), other_layout);
+    sut.remove(guid(7, 1));
+    EXPECT_EQ(sut.other_type(own), "") << other_type;
+    EXPECT_FALSE(sut.has_other_layout(guid(7, 1), own));
+  }
 }
 
 TEST_F(RemoteEndsTest, TheEndsOfAParticipantThatIsGoneAreForgottenAndNoOthers) {

@@ -12,7 +12,7 @@
 #include <cstring>
 #include <utility>
 
-#include "link/rtps_message.hpp"
+#include "runtime/middleware/rtps_message.hpp"
 
 namespace tocsin {
 namespace {

@@ -5,6 +5,7 @@
 #include "fast_dds/bus_fixture.hpp"
 #include "fast_dds/lamp_service.hpp"
 #include "ros_idl/std_srvs.hpp"
+#include "runtime/host_control.hpp"
 #include "runtime/middleware/host_graph.hpp"
 
 namespace tocsin {
@@ -73,7 +74,7 @@ TEST_F(ServiceEndsTest, AComponentMayCallANeighbourInItsProcess) {
     (void)servant.answer();
     return asker.replies().size() == 1;
   }));
-  EXPECT_EQ(bus->callers().services, std::vector<std::string>{"lamp/set"});
+  EXPECT_EQ(bus->host_control().callers().services, std::vector<std::string>{"lamp/set"});
 }
 
 TEST_F(ServiceEndsTest, WithoutServerNothingIsSent) {
@@ -100,11 +101,12 @@ TEST_F(ServiceEndsTest, AToolIsACallerButNoParticipantOfRos2) {
   options.name = "tool";
   options.host_domain = domain_;
   const auto graph = make_host_graph(options);
-  EXPECT_TRUE(bus->callers().services.empty());
+  EXPECT_TRUE(bus->host_control().callers().services.empty());
   Asker asker(*graph);
-  ASSERT_TRUE(eventually([&] { return !bus->callers().services.empty() && asker.available(); }));
-  EXPECT_EQ(bus->callers().services, std::vector<std::string>{"lamp/set"});
-  EXPECT_FALSE(bus->callers().ros2);
+  ASSERT_TRUE(eventually(
+      [&] { return !bus->host_control().callers().services.empty() && asker.available(); }));
+  EXPECT_EQ(bus->host_control().callers().services, std::vector<std::string>{"lamp/set"});
+  EXPECT_FALSE(bus->host_control().callers().ros2);
   ASSERT_TRUE(asker.ask(true));
   EXPECT_TRUE(eventually([&] {
     (void)servant.answer();
@@ -115,11 +117,12 @@ TEST_F(ServiceEndsTest, AToolIsACallerButNoParticipantOfRos2) {
 TEST_F(ServiceEndsTest, ACallerIsNoticedAtOnce) {
   const auto bus = make_test_bus(domain_, qos);
   std::atomic<int> noticed{0};
-  bus->watch_callers([&] { ++noticed; });
+  bus->host_control().watch_callers([&] { ++noticed; });
   const auto client_bus = make_test_bus(domain_, qos);
   const Asker asker(*client_bus);
-  EXPECT_TRUE(eventually([&] { return noticed > 0 && !bus->callers().services.empty(); }));
-  bus->watch_callers({});
+  EXPECT_TRUE(
+      eventually([&] { return noticed > 0 && !bus->host_control().callers().services.empty(); }));
+  bus->host_control().watch_callers({});
 }
 
 TEST_F(ServiceEndsTest, TheEndsOfAServiceBelongToTheirNodes) {
@@ -129,7 +132,7 @@ TEST_F(ServiceEndsTest, TheEndsOfAServiceBelongToTheirNodes) {
   options.host_domain = domain_;
   const auto graph = make_host_graph(options);
   Servant servant(*bus);
-  bus->update_graph();
+  bus->host_control().update_graph();
   ASSERT_TRUE(eventually([&] { return graph->nodes().size() == 1; }));
   const GraphNode node = graph->nodes().front();
   EXPECT_EQ(node.path(), "/lamp");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/middleware/ros_graph.hpp"
+#include "graph/ros_graph.hpp"
 
 #include <gtest/gtest.h>
 
@@ -37,28 +37,17 @@ TEST(RosGraph, ASampleHasTheBytesOfRos2) {
   EXPECT_EQ(encode(nodes, GidSize::bytes_16), expected);
 }
 
-TEST(RosGraph, HumbleHasEightZerosMoreInEachGid) {
-  const std::size_t gids = 4;
-  EXPECT_EQ(encode(talker(), GidSize::bytes_24).size(),
-            encode(talker(), GidSize::bytes_16).size() + 8 * gids);
-}
-
 TEST(RosGraph, TheBytesTellWhichSizeTheyHave) {
   for (const GidSize size : {GidSize::bytes_16, GidSize::bytes_24}) {
     const auto nodes = decode_nodes(encode(talker(), size));
     ASSERT_TRUE(nodes);
     EXPECT_EQ(nodes->participant, gid(1));
     EXPECT_EQ(nodes->nodes, talker().nodes);
+    EXPECT_TRUE(decode_nodes(encode(ParticipantNodes{gid(9), {}}, size))->nodes.empty());
   }
-}
-
-TEST(RosGraph, AParticipantWithoutNodesIsToldInEitherSize) {
-  for (const GidSize size : {GidSize::bytes_16, GidSize::bytes_24}) {
-    const auto nodes = decode_nodes(encode(ParticipantNodes{gid(9), {}}, size));
-    ASSERT_TRUE(nodes);
-    EXPECT_EQ(nodes->participant, gid(9));
-    EXPECT_TRUE(nodes->nodes.empty());
-  }
+  constexpr std::size_t gids = 4;
+  EXPECT_EQ(encode(talker(), GidSize::bytes_24).size(),
+            encode(talker(), GidSize::bytes_16).size() + 8 * gids);
 }
 
 TEST(RosGraph, OtherBytesAreNoNodes) {
@@ -118,11 +107,6 @@ TEST(LocalNodesTest, NodesOfOthersAreShownWithoutEndsAndOnce) {
             (std::vector<GraphNode>{{"/robot", "arm", {gid(2)}, {}}, {"/robot", "talker"}}));
   sut.show({});
   EXPECT_EQ(sut.all(), (std::vector<GraphNode>{{"/robot", "arm", {gid(2)}, {}}}));
-}
-
-TEST(LocalNodesTest, ThePathOfANodeBeginsWithItsNamespace) {
-  EXPECT_EQ((GraphNode{"/", "talker"}).path(), "/talker");
-  EXPECT_EQ((GraphNode{"/robot", "talker"}).path(), "/robot/talker");
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 
 #include "fast_dds/remote_ends.hpp"
 #include "graph/ros2_user_data.hpp"
+#include "graph/ros_graph.hpp"
 #include "link/flow_text.hpp"
-#include "runtime/middleware/ros_graph.hpp"
 #include "tocsin_idl/topics.hpp"
 
 namespace tocsin {

@@ -5,6 +5,8 @@
 
 #include <limits>
 #include <random>
+#include <tuple>
+#include <vector>
 
 namespace tocsin {
 namespace {
@@ -29,16 +31,32 @@ Flow read(const std::string& announcement) {
   return flow;
 }
 
-TEST(FlowText, TellsWhatTheWritersOfferAndAnnounce) {
+TEST(FlowText, APeerReadsWhatWasAnnounced) {
   EXPECT_EQ(announcement_of(flow()),
             "tocsinlayout=0a1b;tocsinflow=reliable,transient_local,3,2.5;");
+  Flow endless = flow();
+  endless.lifespan_s = std::numeric_limits<double>::infinity();
+  for (const Flow& told : {flow(), endless}) {
+    Flow back = read(announcement_of(told));
+    back.topic = "goal";
+    back.type = "Goal";
+    EXPECT_EQ(back, told);
+  }
 }
 
-TEST(FlowText, APeerReadsWhatWasAnnounced) {
-  Flow back = read(announcement_of(flow()));
-  back.topic = "goal";
-  back.type = "Goal";
-  EXPECT_EQ(back, flow());
+TEST(FlowText, WhatElseAWriterAnnouncesIsKept) {
+  Flow odd = flow();
+  odd.user_data = "mine";
+  for (const auto& [text, user_data, reliable, depth] :
+       std::vector<std::tuple<std::string, const char*, bool, int>>{
+           {announcement_of(odd), "mine;", true, 3},
+           {"a=1;tocsinflow=reliable,volatile,1,inf;b=2;", "a=1;b=2;", true, 1},
+           {"typehash=RIHS01_ab;", "typehash=RIHS01_ab;", false, 1}}) {
+    const Flow back = read(text);
+    EXPECT_EQ(back.user_data, user_data);
+    EXPECT_EQ(back.reliable, reliable) << text;
+    EXPECT_EQ(back.depth, depth) << text;
+  }
 }
 
 TEST(FlowText, TellsThatAFlowIsStored) {
@@ -51,36 +69,6 @@ TEST(FlowText, TellsThatAFlowIsStored) {
   EXPECT_FALSE(read("tocsinflow=reliable,volatile,1,inf,storm;").stored);
   stored.lifespan_s = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(read(announcement_of(stored)).stored);
-}
-
-TEST(FlowText, ALifespanWithoutEndComesBack) {
-  Flow endless;
-  const Flow back = read(announcement_of(endless));
-  EXPECT_EQ(back.lifespan_s, std::numeric_limits<double>::infinity());
-  EXPECT_EQ(back.user_data, "");
-}
-
-TEST(FlowText, UserDataWithoutItsSemicolonStaysApart) {
-  Flow odd = flow();
-  odd.user_data = "mine";
-  const Flow back = read(announcement_of(odd));
-  EXPECT_EQ(back.user_data, "mine;");
-  EXPECT_EQ(back.depth, 3);
-}
-
-TEST(FlowText, WhatStandsBehindItIsKept) {
-  const Flow back = read("a=1;tocsinflow=reliable,volatile,1,inf;b=2;");
-  EXPECT_EQ(back.user_data, "a=1;b=2;");
-  EXPECT_TRUE(back.reliable);
-  EXPECT_FALSE(back.transient_local);
-}
-
-TEST(FlowText, AForeignWriterIsBestEffortAndVolatile) {
-  const Flow back = read("typehash=RIHS01_ab;");
-  EXPECT_FALSE(back.reliable);
-  EXPECT_FALSE(back.transient_local);
-  EXPECT_EQ(back.depth, 1);
-  EXPECT_EQ(back.user_data, "typehash=RIHS01_ab;");
 }
 
 TEST(FlowText, WhatMakesNoSenseChangesNothing) {

@@ -5,8 +5,8 @@
 
 #include <optional>
 
-#include "link/forger.hpp"
 #include "link/link_bus_fixture.hpp"
+#include "runtime/testing/forger.hpp"
 #include "tocsin_idl/topics.hpp"
 
 namespace tocsin {

@@ -9,8 +9,8 @@
 
 #include "fast_dds/bus_fixture.hpp"
 #include "link/late_interface.hpp"
-#include "link/relay.hpp"
 #include "ros_idl/std_msgs.hpp"
+#include "runtime/testing/relay.hpp"
 
 namespace tocsin {
 namespace {

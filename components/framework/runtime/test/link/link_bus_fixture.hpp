@@ -9,8 +9,8 @@
 #include <thread>
 
 #include "fast_dds/bus_fixture.hpp"
-#include "link/relay.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
+#include "runtime/testing/relay.hpp"
 
 namespace tocsin {
 

@@ -128,7 +128,7 @@ TEST_F(LinkBusTest, ALateReaderOfTheOtherHostGetsTheLastSampleOfAState) {
 }
 
 TEST_F(LinkBusTest, AProcessWithoutAnAddressOnTheLinkHasNoWayOverIt) {
-  EXPECT_EQ(process(Role::uxv)->open_link([] {}), nullptr);
+  EXPECT_EQ(process(Role::uxv)->link_access(), nullptr);
 }
 
 TEST_F(LinkBusTest, PeersKnowEachOtherByTheNameOfTheirHostAndAreMissedWhenTheyLeave) {
@@ -170,7 +170,7 @@ TEST_F(LinkBusTest, TellsOfEachReaderOfTheHostThatFindsAPeersFlow) {
 
 TEST_F(LinkBusTest, AFlowThatIsNoPeersIsGivenFromTheBytesOfALog) {
   const auto routed = make_fast_dds_bus(options(Role::gcs));
-  const auto link = routed->open_link([] {});
+  const auto link = routed->link_access()->open_link([] {});
   const auto station = process(Role::gcs);
   Flow flow;
   flow.topic = topic::Location::info.name + std::string("/backfilled");

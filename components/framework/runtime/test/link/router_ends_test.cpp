@@ -9,6 +9,7 @@
 
 #include "fast_dds/remote_ends.hpp"
 #include "graph/ros2_user_data.hpp"
+#include "graph/ros_graph.hpp"
 #include "link/link_bus_fixture.hpp"
 #include "link/router_name.hpp"
 #include "qos/config_file.hpp"

@@ -10,9 +10,9 @@
 #include "foundation/error.hpp"
 #include "foundation/temporary_folder.hpp"
 #include "keystore/keystore.hpp"
-#include "link/forger.hpp"
 #include "link/link_bus_fixture.hpp"
 #include "link/unchecked_writers.hpp"
+#include "runtime/testing/forger.hpp"
 #include "tocsin_idl/topics.hpp"
 
 namespace tocsin {

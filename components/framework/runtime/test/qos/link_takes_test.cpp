@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "qos/config_file.hpp"
+#include "qos/vehicle_chain.hpp"
 #include "runtime/middleware/traffic_rules.hpp"
 #include "tocsin_idl/topics.hpp"
 

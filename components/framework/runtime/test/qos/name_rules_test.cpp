@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/middleware/name_rules.hpp"
+#include "runtime/detail/name_rules.hpp"
 
 #include <gtest/gtest.h>
 

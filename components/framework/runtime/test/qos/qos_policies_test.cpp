@@ -3,7 +3,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <yaml-cpp/yaml.h>
 
+#include "foundation/parameters.hpp"
 #include "runtime/middleware/qos_matching.hpp"
 
 namespace tocsin {
@@ -20,64 +22,35 @@ std::string conflicting(const QosProfile& profile) {
   return found ? found->policy : "";
 }
 
-TEST(QosConflict, ThereIsNoneInTheDefaults) { EXPECT_EQ(conflicting({}), ""); }
-
-TEST(QosConflict, MaxSamplesMustHoldTheDepthOfKeepLast) {
-  QosProfile sut;
-  sut.depth = 5;
-  sut.max_samples = 5;
-  EXPECT_EQ(conflicting(sut), "");
-  sut.max_samples = 4;
-  EXPECT_EQ(conflicting(sut), "max_samples");
-  sut.history = History::keep_all;
-  EXPECT_EQ(conflicting(sut), "");
+/// The defaults with these policies, as a file has them.
+QosProfile with(const std::string& policies) {
+  return load_parameters<QosProfile>(YAML::Load(policies), "profile", "qos.yaml");
 }
 
-TEST(QosConflict, NoMoreIsAllocatedThanThereIsRoom) {
-  QosProfile sut;
-  sut.allocated_samples = 2;
-  EXPECT_EQ(conflicting(sut), "");
-  sut.allocated_samples = 3;
-  EXPECT_EQ(conflicting(sut), "allocated_samples");
-}
-
-TEST(QosConflict, OldSamplesNeedRepair) {
-  QosProfile sut;
-  sut.durability = Durability::transient_local;
-  EXPECT_EQ(conflicting(sut), "");
-  sut.reliability = Reliability::best_effort;
-  EXPECT_EQ(conflicting(sut), "durability");
-}
-
-TEST(QosConflict, ThinningMustLeaveWhatTheDeadlineNeeds) {
-  QosProfile sut;
-  sut.deadline_s = 1;
-  sut.minimum_separation_s = 1;
-  sut.max_rate_hz = 1;
-  EXPECT_EQ(conflicting(sut), "");
-  sut.minimum_separation_s = 1.1;
-  EXPECT_EQ(conflicting(sut), "minimum_separation_s");
-  sut.minimum_separation_s = 0;
-  sut.max_rate_hz = 0.9;
-  EXPECT_EQ(conflicting(sut), "max_rate_hz");
-}
-
-TEST(QosConflict, ThinningWouldLoseTheLastState) {
-  QosProfile sut;
-  sut.durability = Durability::transient_local;
-  sut.minimum_separation_s = 0.1;
-  EXPECT_EQ(conflicting(sut), "minimum_separation_s");
-  sut.minimum_separation_s = 0;
-  sut.max_rate_hz = 10;
-  EXPECT_EQ(conflicting(sut), "max_rate_hz");
-}
-
-TEST(QosConflict, AFlowControllerNeedsAnAsynchronousWriter) {
-  QosProfile sut;
-  sut.flow_controller = "radio";
-  EXPECT_EQ(conflicting(sut), "");
-  sut.publish_mode = PublishMode::synchronous;
-  EXPECT_EQ(conflicting(sut), "flow_controller");
+TEST(QosConflict, NamesThePolicyThatContradictsAnother) {
+  for (const auto& [policies, conflict] : std::vector<std::pair<const char*, const char*>>{
+           {"{}", ""},
+           {"{depth: 5, max_samples: 5}", ""},
+           {"{depth: 5, max_samples: 4}", "max_samples"},
+           {"{depth: 5, max_samples: 4, history: keep_all}", ""},
+           {"{allocated_samples: 2}", ""},
+           {"{allocated_samples: 3}", "allocated_samples"},
+           {"{durability: transient_local}", ""},
+           {"{durability: transient_local, reliability: best_effort}", "durability"},
+           {"{deadline_s: 1, minimum_separation_s: 1, max_rate_hz: 1}", ""},
+           {"{deadline_s: 1, minimum_separation_s: 1.1}", "minimum_separation_s"},
+           {"{deadline_s: 1, max_rate_hz: 0.9}", "max_rate_hz"},
+           {"{durability: transient_local, minimum_separation_s: 0.1}", "minimum_separation_s"},
+           {"{durability: transient_local, max_rate_hz: 10}", "max_rate_hz"},
+           {"{flow_controller: radio}", ""},
+           {"{flow_controller: radio, publish_mode: synchronous}", "flow_controller"},
+           {"{ownership_strength: 1}", "ownership_strength"},
+           {"{ownership_strength: 1, ownership: exclusive}", ""},
+           {"{liveliness_lease_s: 1, liveliness_announcement_s: 0.9}", ""},
+           {"{liveliness_lease_s: 1, liveliness_announcement_s: 1}",
+            "liveliness_announcement_s"}}) {
+    EXPECT_EQ(conflicting(with(policies)), conflict) << policies;
+  }
 }
 
 TEST(Requested, IsTheProfileItselfUnlessTheTopicAsksForNothing) {
@@ -117,14 +90,6 @@ TEST(Requested, ATopicThatAsksForNothingMatchesEveryWriter) {
   EXPECT_THAT(incompatibilities(strict, sut), ::testing::IsEmpty());
 }
 
-TEST(QosConflict, StrengthNeedsExclusiveOwnership) {
-  QosProfile sut;
-  sut.ownership_strength = 1;
-  EXPECT_EQ(conflicting(sut), "ownership_strength");
-  sut.ownership = Ownership::exclusive;
-  EXPECT_EQ(conflicting(sut), "");
-}
-
 TEST(QosConflict, UserDataIsPairsThatRos2CanRead) {
   QosProfile sut;
   for (const char* sound : {"", "a=1", "a=1;", "Mast4=of wood_2;b=2;"}) {
@@ -135,15 +100,6 @@ TEST(QosConflict, UserDataIsPairsThatRos2CanRead) {
     sut.user_data = broken;
     EXPECT_EQ(conflicting(sut), "user_data") << broken;
   }
-}
-
-TEST(QosConflict, SignsOfLifeComeMoreOftenThanTheLease) {
-  QosProfile sut;
-  sut.liveliness_lease_s = 1;
-  sut.liveliness_announcement_s = 0.9;
-  EXPECT_EQ(conflicting(sut), "");
-  sut.liveliness_announcement_s = 1;
-  EXPECT_EQ(conflicting(sut), "liveliness_announcement_s");
 }
 
 TEST(QosHistory, RoomIsOneMoreThanTheDepthSoThatAWriteNeverWaits) {

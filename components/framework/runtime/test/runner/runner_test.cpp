@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runner/runner.hpp"
+#include "runtime/middleware/runner.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <condition_variable>
+#include <functional>
 #include <future>
 #include <mutex>
 #include <stdexcept>

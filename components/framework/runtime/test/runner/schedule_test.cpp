@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // When components run next: periods, and phases of their own.
-#include "runtime/middleware/schedule.hpp"
+#include "runtime/detail/schedule.hpp"
 
 #include <gtest/gtest.h>
 

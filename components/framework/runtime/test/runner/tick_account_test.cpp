@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runner/tick_account.hpp"
+#include "runtime/middleware/tick_account.hpp"
 
 #include <gtest/gtest.h>
 

@@ -32,9 +32,9 @@ void read_messages(bag::BagReader& bag, const bag::Selection& selection,
 /// `bag_2`, ... of a recorder that was started again.
 [[nodiscard]] std::vector<std::string> recorded_bags(const std::string& folder);
 
-/// The tables that a recorder would have written as CSV, of bags of one run one after the other.
-/// The types of tocsin_idl are known; of others only the row in messages.csv is there, unless the
-/// program has loaded them.
+/// Bags of one run as CSV texts, one after the other, with the rows that `tocsin bag export`
+/// writes. The types of tocsin_idl are known; of others only the row in messages.csv is there,
+/// unless the program has loaded them.
 class BagTables {
  public:
   /// Reads the whole bags, but only topics (without leading slash) that are wanted. Throws

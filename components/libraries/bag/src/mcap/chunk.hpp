@@ -36,8 +36,8 @@ void for_each_record(Span records, const OnRecord& on_record) {
   Cursor cursor(records);
   while (cursor.left() >= record_head) {
     const std::size_t offset = cursor.at();
-    const auto opcode = static_cast<Opcode>(cursor.u8());
-    const Span content = cursor.take(cursor.u64());
+    const auto opcode = static_cast<Opcode>(cursor.number(1));
+    const Span content = cursor.take(cursor.number(8));
     if (!cursor.good()) return;
     on_record(opcode, content, offset);
   }

@@ -26,20 +26,9 @@ std::uint64_t Cursor::number(std::size_t size) {
 }
 
 std::string Cursor::text() {
-  const Span bytes = take(u32());
+  const Span bytes = take(number(4));
   return bytes.size == 0 ? std::string()
                          : std::string(reinterpret_cast<const char*>(bytes.data), bytes.size);
-}
-
-KeyValues Cursor::key_values() {
-  Cursor inner(take(u32()));
-  KeyValues values;
-  while (inner.good() && inner.left() > 0) {
-    std::string key = inner.text();
-    values.emplace(std::move(key), inner.text());
-  }
-  good_ = good_ && inner.good();
-  return values;
 }
 
 }  // namespace tocsin::mcap

@@ -6,161 +6,83 @@
 namespace tocsin::mcap {
 namespace {
 
-/// `value` when all of its fields were there.
-template <class T>
-std::optional<T> checked(const Cursor& cursor, T value) {
-  if (!cursor.good()) return std::nullopt;
-  return value;
+template <class Number, class = std::enable_if_t<std::is_unsigned_v<Number>>>
+void take_field(Cursor& c, Number& value) {
+  value = static_cast<Number>(c.number(sizeof value));
+}
+
+void take_field(Cursor& c, std::string& text) { text = c.text(); }
+
+/// Pairs behind their length in bytes.
+template <class Pairs, typename Pairs::const_iterator* = nullptr>
+void take_field(Cursor& c, Pairs& values) {
+  Cursor inner(c.take(c.number(4)));
+  while (inner.good() && inner.left() > 0) {
+    std::pair<std::remove_const_t<typename Pairs::value_type::first_type>,
+              typename Pairs::value_type::second_type>
+        pair;
+    take_field(inner, pair.first);
+    take_field(inner, pair.second);
+    values.insert(values.end(), std::move(pair));
+  }
+  if (!inner.good()) c.fail();
+}
+
+/// Empty when a field was not there.
+template <class Record>
+std::optional<Record> take(Cursor& c) {
+  Record record;
+  std::apply([&c](auto&... field) { (take_field(c, field), ...); }, fields_of(record));
+  if (!c.good()) return std::nullopt;
+  return record;
 }
 
 }  // namespace
 
-std::optional<Header> decode_header(Span content) {
+template <class Record>
+std::optional<Record> decode(Span content) {
   Cursor c(content);
-  Header header;
-  header.profile = c.text();
-  header.library = c.text();
-  return checked(c, std::move(header));
+  return take<Record>(c);
+}
+template std::optional<Header> decode(Span);
+template std::optional<Channel> decode(Span);
+template std::optional<Metadata> decode(Span);
+template std::optional<ChunkIndex> decode(Span);
+template std::optional<AttachmentIndex> decode(Span);
+template std::optional<MetadataIndex> decode(Span);
+template std::optional<Statistics> decode(Span);
+template std::optional<Footer> decode(Span);
+
+template <>
+std::optional<Schema> decode(Span content) {
+  Cursor c(content);
+  auto schema = take<Schema>(c);
+  return schema && schema->id != 0 ? schema : std::nullopt;
 }
 
-std::optional<Schema> decode_schema(Span content) {
+template <>
+std::optional<Message> decode(Span content) {
   Cursor c(content);
-  Schema schema;
-  schema.id = c.u16();
-  schema.name = c.text();
-  schema.encoding = c.text();
-  schema.data = c.text();
-  if (schema.id == 0) return std::nullopt;
-  return checked(c, std::move(schema));
-}
-
-std::optional<Channel> decode_channel(Span content) {
-  Cursor c(content);
-  Channel channel;
-  channel.id = c.u16();
-  channel.schema_id = c.u16();
-  channel.topic = c.text();
-  channel.message_encoding = c.text();
-  channel.metadata = c.key_values();
-  return checked(c, std::move(channel));
-}
-
-std::optional<Message> decode_message(Span content) {
-  Cursor c(content);
-  Message message;
-  message.channel_id = c.u16();
-  message.sequence = c.u32();
-  message.log_time_ns = c.u64();
-  message.publish_time_ns = c.u64();
+  auto message = take<Message>(c);
+  if (!message) return std::nullopt;
   const Span data = c.take(c.left());
-  message.data = data.data;
-  message.size = data.size;
-  return checked(c, message);
+  message->data = data.data;
+  message->size = data.size;
+  return message;
 }
 
-std::optional<Attachment> decode_attachment(Span content) {
+template <>
+std::optional<Attachment> decode(Span content) {
   Cursor c(content);
-  Attachment attachment;
-  attachment.log_time_ns = c.u64();
-  attachment.create_time_ns = c.u64();
-  attachment.name = c.text();
-  attachment.media_type = c.text();
-  const Span data = c.take(c.u64());
+  auto attachment = take<Attachment>(c);
+  const Span data = c.take(c.number(8));
   const std::size_t covered = c.at();
-  const std::uint32_t crc = c.u32();
+  const std::uint64_t crc = c.number(4);
   if (!c.good() || (crc != 0 && crc != crc32({content.data, covered}))) return std::nullopt;
-  attachment.data.assign(reinterpret_cast<const char*>(data.data), data.size);
+  attachment->data.assign(reinterpret_cast<const char*>(data.data), data.size);
   return attachment;
 }
 
-std::optional<Metadata> decode_metadata(Span content) {
-  Cursor c(content);
-  Metadata metadata;
-  metadata.name = c.text();
-  metadata.values = c.key_values();
-  return checked(c, std::move(metadata));
-}
-
-std::optional<ChunkIndex> decode_chunk_index(Span content) {
-  Cursor c(content);
-  ChunkIndex index;
-  index.start_ns = c.u64();
-  index.end_ns = c.u64();
-  index.offset = c.u64();
-  index.length = c.u64();
-  Cursor offsets(c.take(c.u32()));
-  while (offsets.good() && offsets.left() > 0) {
-    const std::uint16_t channel = offsets.u16();
-    index.message_indexes.emplace_back(channel, offsets.u64());
-  }
-  index.message_index_length = c.u64();
-  index.compression = c.text();
-  index.compressed_size = c.u64();
-  index.uncompressed_size = c.u64();
-  if (!offsets.good()) return std::nullopt;
-  return checked(c, std::move(index));
-}
-
-std::optional<AttachmentIndex> decode_attachment_index(Span content) {
-  Cursor c(content);
-  AttachmentIndex index;
-  index.offset = c.u64();
-  index.length = c.u64();
-  index.log_time_ns = c.u64();
-  index.create_time_ns = c.u64();
-  index.data_size = c.u64();
-  index.name = c.text();
-  index.media_type = c.text();
-  return checked(c, std::move(index));
-}
-
-std::optional<MetadataIndex> decode_metadata_index(Span content) {
-  Cursor c(content);
-  MetadataIndex index;
-  index.offset = c.u64();
-  index.length = c.u64();
-  index.name = c.text();
-  return checked(c, std::move(index));
-}
-
-std::optional<Statistics> decode_statistics(Span content) {
-  Cursor c(content);
-  Statistics statistics;
-  statistics.message_count = c.u64();
-  statistics.schema_count = c.u16();
-  statistics.channel_count = c.u32();
-  statistics.attachment_count = c.u32();
-  statistics.metadata_count = c.u32();
-  statistics.chunk_count = c.u32();
-  statistics.start_ns = c.u64();
-  statistics.end_ns = c.u64();
-  Cursor counts(c.take(c.u32()));
-  while (counts.good() && counts.left() > 0) {
-    const std::uint16_t channel = counts.u16();
-    statistics.channel_message_counts[channel] = counts.u64();
-  }
-  if (!counts.good()) return std::nullopt;
-  return checked(c, std::move(statistics));
-}
-
-std::optional<Footer> decode_footer(Span content) {
-  Cursor c(content);
-  Footer footer;
-  footer.summary_start = c.u64();
-  footer.summary_offset_start = c.u64();
-  footer.summary_crc = c.u32();
-  return checked(c, footer);
-}
-
-std::optional<ChunkHead> decode_chunk_head(Cursor& c) {
-  ChunkHead head;
-  head.start_ns = c.u64();
-  head.end_ns = c.u64();
-  head.uncompressed_size = c.u64();
-  head.uncompressed_crc = c.u32();
-  head.compression = c.text();
-  head.compressed_size = c.u64();
-  return checked(c, std::move(head));
-}
+std::optional<ChunkHead> decode_chunk_head(Cursor& cursor) { return take<ChunkHead>(cursor); }
 
 }  // namespace tocsin::mcap

@@ -50,7 +50,7 @@ class ChunkwiseStream final : public MessageStream {
     current_ = std::get<2>(place);
     const Entry& entry = current_->entries[current_->next++];
     if (current_->next < current_->entries.size()) enqueue(current_);
-    return decode_message(entry.content);
+    return decode<Message>(entry.content);
   }
 
  private:
@@ -94,7 +94,7 @@ class ChunkwiseStream final : public MessageStream {
     if (chunk->loaded.state == LoadedChunk::State::damaged) ++damage_.chunks;
     for_each_record(chunk->loaded.records, [&](Opcode opcode, Span content, std::size_t) {
       if (opcode != Opcode::message) return;
-      const auto message = decode_message(content);
+      const auto message = decode<Message>(content);
       if (!message || !wanted_[message->channel_id]) return;
       if (message->log_time_ns < query_.from_ns || message->log_time_ns > query_.to_ns) return;
       chunk->entries.push_back({message->log_time_ns, content});

@@ -30,13 +30,13 @@ std::unique_ptr<MessageStream> Reader::messages(Query query) {
 std::optional<Attachment> Reader::read(const AttachmentIndex& index) {
   const auto content = content_at(*source_, index.offset, Opcode::attachment);
   if (!content) return std::nullopt;
-  return decode_attachment({content->data(), content->size()});
+  return decode<Attachment>({content->data(), content->size()});
 }
 
 std::optional<Metadata> Reader::read(const MetadataIndex& index) {
   const auto content = content_at(*source_, index.offset, Opcode::metadata);
   if (!content) return std::nullopt;
-  return decode_metadata({content->data(), content->size()});
+  return decode<Metadata>({content->data(), content->size()});
 }
 
 }  // namespace tocsin::mcap

@@ -45,7 +45,7 @@ class Recovery final : public ScanVisitor {
         show_declaration(*this, opcode, content);
         return;
       }
-      const auto message = decode_message(content);
+      const auto message = decode<Message>(content);
       all_known = all_known && message && channels_.count(message->channel_id) != 0;
       if (all_known) ready.entries.push_back({message->channel_id, message->log_time_ns, offset});
     });
@@ -65,7 +65,7 @@ class Recovery final : public ScanVisitor {
  private:
   void copy_messages(Span records) {
     for_each_record(records, [this](Opcode opcode, Span content, std::size_t) {
-      const auto message = opcode == Opcode::message ? decode_message(content) : std::nullopt;
+      const auto message = opcode == Opcode::message ? decode<Message>(content) : std::nullopt;
       if (message) on_message({}, *message);
     });
   }

@@ -67,11 +67,11 @@ class Walk {
   void visit_content(Opcode opcode, const Place& place) {
     const Span content{content_.data(), content_.size()};
     if (opcode == Opcode::message) {
-      if (const auto message = decode_message(content)) visitor_.on_message(place, *message);
+      if (const auto message = decode<Message>(content)) visitor_.on_message(place, *message);
     } else if (opcode == Opcode::attachment) {
-      if (auto one = decode_attachment(content)) visitor_.on_attachment(place, std::move(*one));
+      if (auto one = decode<Attachment>(content)) visitor_.on_attachment(place, std::move(*one));
     } else if (opcode == Opcode::metadata) {
-      if (auto one = decode_metadata(content)) visitor_.on_metadata(place, std::move(*one));
+      if (auto one = decode<Metadata>(content)) visitor_.on_metadata(place, std::move(*one));
     } else {
       show_declaration(visitor_, opcode, content);
     }
@@ -129,7 +129,7 @@ class Summarizer final : public ScanVisitor {
     counted_ = 0;
     for_each_record(chunk.records, [this](Opcode opcode, Span content, std::size_t) {
       if (opcode == Opcode::message) {
-        if (const auto message = decode_message(content)) count(*message);
+        if (const auto message = decode<Message>(content)) count(*message);
       } else {
         show_declaration(*this, opcode, content);
       }
@@ -179,9 +179,9 @@ class Summarizer final : public ScanVisitor {
 
 void show_declaration(ScanVisitor& visitor, Opcode opcode, Span content) {
   if (opcode == Opcode::schema) {
-    if (auto schema = decode_schema(content)) visitor.on_schema(std::move(*schema));
+    if (auto schema = decode<Schema>(content)) visitor.on_schema(std::move(*schema));
   } else if (opcode == Opcode::channel) {
-    if (auto channel = decode_channel(content)) visitor.on_channel(std::move(*channel));
+    if (auto channel = decode<Channel>(content)) visitor.on_channel(std::move(*channel));
   }
 }
 
@@ -189,8 +189,8 @@ std::optional<RecordHead> read_head(ByteSource& source, std::uint64_t offset) {
   std::array<std::uint8_t, record_head> head{};
   if (!source.read(offset, head.data(), head.size())) return std::nullopt;
   Cursor cursor({head.data(), head.size()});
-  const auto opcode = static_cast<Opcode>(cursor.u8());
-  return RecordHead{opcode, cursor.u64()};
+  const auto opcode = static_cast<Opcode>(cursor.number(1));
+  return RecordHead{opcode, cursor.number(8)};
 }
 
 std::optional<Bytes> content_at(ByteSource& source, std::uint64_t offset, Opcode wanted) {
@@ -212,7 +212,7 @@ Header read_header(ByteSource& source, const std::string& name) {
   }
   const auto content = content_at(source, magic.size(), Opcode::header);
   if (!content) return {};
-  return decode_header({content->data(), content->size()}).value_or(Header{});
+  return decode<Header>({content->data(), content->size()}).value_or(Header{});
 }
 
 Damage scan(ByteSource& source, ScanVisitor& visitor) { return Walk(source, visitor).run(); }

@@ -22,10 +22,10 @@ std::optional<FoundFooter> find_footer(ByteSource& source) {
   const std::uint64_t offset = source.size() - footer_size;
   if (!source.read(offset, end.data(), end.size())) return std::nullopt;
   Cursor cursor({end.data(), end.size()});
-  if (static_cast<Opcode>(cursor.u8()) != Opcode::footer || cursor.u64() != 20) {
+  if (static_cast<Opcode>(cursor.number(1)) != Opcode::footer || cursor.number(8) != 20) {
     return std::nullopt;
   }
-  const auto footer = decode_footer(cursor.take(20));
+  const auto footer = decode<Footer>(cursor.take(20));
   const bool closed = std::equal(magic.begin(), magic.end(), end.end() - magic.size());
   if (!footer || !closed) return std::nullopt;
   if (footer->summary_start < magic.size() || footer->summary_start >= offset) return std::nullopt;
@@ -39,20 +39,21 @@ class SummaryParser {
 
   void take(Opcode opcode, Span content) {
     if (opcode == Opcode::schema) {
-      keep(decode_schema(content), [&](Schema&& one) { summary_.schemas.emplace(one.id, one); });
+      keep(decode<Schema>(content), [&](Schema&& one) { summary_.schemas.emplace(one.id, one); });
     } else if (opcode == Opcode::channel) {
-      keep(decode_channel(content), [&](Channel&& one) { summary_.channels.emplace(one.id, one); });
+      keep(decode<Channel>(content),
+           [&](Channel&& one) { summary_.channels.emplace(one.id, one); });
     } else if (opcode == Opcode::chunk_index) {
-      keep(decode_chunk_index(content),
+      keep(decode<ChunkIndex>(content),
            [&](ChunkIndex&& one) { summary_.chunks.push_back(std::move(one)); });
     } else if (opcode == Opcode::attachment_index) {
-      keep(decode_attachment_index(content),
+      keep(decode<AttachmentIndex>(content),
            [&](AttachmentIndex&& one) { summary_.attachments.push_back(std::move(one)); });
     } else if (opcode == Opcode::metadata_index) {
-      keep(decode_metadata_index(content),
+      keep(decode<MetadataIndex>(content),
            [&](MetadataIndex&& one) { summary_.metadata.push_back(std::move(one)); });
     } else if (opcode == Opcode::statistics) {
-      keep(decode_statistics(content), [&](Statistics&& one) {
+      keep(decode<Statistics>(content), [&](Statistics&& one) {
         summary_.statistics = std::move(one);
         counted_ = true;
       });

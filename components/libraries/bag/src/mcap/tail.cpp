@@ -43,11 +43,12 @@ void Tail::visit_chunk(ByteSource& source, std::uint64_t length, const OnMessage
 
 void Tail::visit(Opcode opcode, Span content, const OnMessage& on_message) {
   if (opcode == Opcode::schema) {
-    if (auto schema = decode_schema(content)) schemas_.emplace(schema->id, std::move(*schema));
+    if (auto schema = decode<Schema>(content)) schemas_.emplace(schema->id, std::move(*schema));
   } else if (opcode == Opcode::channel) {
-    if (auto channel = decode_channel(content)) channels_.emplace(channel->id, std::move(*channel));
+    if (auto channel = decode<Channel>(content))
+      channels_.emplace(channel->id, std::move(*channel));
   } else if (opcode == Opcode::message) {
-    const auto message = decode_message(content);
+    const auto message = decode<Message>(content);
     const auto channel = message ? channels_.find(message->channel_id) : channels_.end();
     if (channel != channels_.end()) on_message(channel->second, *message);
   }

@@ -3,13 +3,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
-#include <csignal>
 #include <filesystem>
+#include <optional>
 
 #include "bags.hpp"
 #include "foundation/error.hpp"
+#include "foundation/small_disk.hpp"
 
 namespace tocsin::bag {
 namespace {
@@ -19,7 +19,7 @@ using ::testing::HasSubstr;
 
 TEST(BagWriter, MakesAFolderWithItsFileAndMetadata) {
   const TemporaryFolder folder;
-  write_bag(folder.path("run"), 5);
+  write_bag(folder.path("run/"), 5);
   EXPECT_TRUE(fs::exists(folder.path("run/run_0.mcap")));
   const std::string metadata = folder.read("run/metadata.yaml");
   EXPECT_THAT(metadata, HasSubstr("message_count: 5"));
@@ -54,12 +54,6 @@ TEST(BagWriter, TellsEachMessagesWriterAndATopicStaysOne) {
   EXPECT_THAT(folder.read("run/metadata.yaml"), HasSubstr("message_count: 4"));
 }
 
-TEST(BagWriter, NamesFilesByTheFolderAlsoWithASlashBehindIt) {
-  const TemporaryFolder folder;
-  write_bag(folder.path("a/b/run/"), 1);
-  EXPECT_TRUE(fs::exists(folder.path("a/b/run/run_0.mcap")));
-}
-
 TEST(BagWriter, RefusesAFolderThatIsThere) {
   const TemporaryFolder folder;
   folder.write("run/precious", "x");
@@ -70,9 +64,6 @@ TEST(BagWriter, RefusesAFolderThatIsThere) {
     EXPECT_THAT(error.what(), HasSubstr("run: is there already"));
   }
   EXPECT_EQ(folder.read("run/precious"), "x");
-}
-
-TEST(BagWriter, RefusesAFolderThatCannotBeMade) {
   EXPECT_THROW(BagWriter("/proc/none/run", {}), ConfigError);
 }
 
@@ -127,13 +118,6 @@ TEST(BagWriter, TellsTopicsThatCameLateInEveryFileFromThenOn) {
   EXPECT_THAT(folder.read("run/metadata.yaml"), HasSubstr("message_count: 3"));
 }
 
-TEST(BagWriter, CanBeReadAsSoonAsItIsThere) {
-  const TemporaryFolder folder;
-  const BagWriter sut(folder.path("run"), {});
-  EXPECT_GT(fs::file_size(folder.path("run/run_0.mcap")), 0U);
-  EXPECT_EQ(BagReader(folder.path("run")).about().count, 0U);
-}
-
 TEST(BagWriter, CanBeReadWhileItIsWritten) {
   const TemporaryFolder folder;
   BagWriter sut(folder.path("run"), {});
@@ -159,25 +143,18 @@ TEST(BagWriter, KeepsAttachmentsAndMetadata) {
 
 TEST(BagWriter, CountsWhatAFullDiskTakesAndGoesOn) {
   const TemporaryFolder folder;
-  auto* const before = std::signal(SIGXFSZ, SIG_IGN);
-  rlimit limit{};
-  getrlimit(RLIMIT_FSIZE, &limit);
+  BagWriter sut(folder.path("run"), {});
+  const std::size_t topic = sut.add(text_topic("/a"));
+  (void)sut.write(topic, message_of(1, t0, "kept"));
+  (void)sut.flush();
   {
-    BagWriter sut(folder.path("run"), {});
-    const std::size_t topic = sut.add(text_topic("/a"));
-    (void)sut.write(topic, message_of(1, t0, "kept"));
-    (void)sut.flush();
-    const rlimit small{fs::file_size(folder.path("run/run_0.mcap")), limit.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &small);
+    const SmallDisk disk(fs::file_size(folder.path("run/run_0.mcap")));
     (void)sut.write(topic, message_of(2, t0 + 1, "lost"));
     EXPECT_EQ(sut.flush(), mcap::Kept::nothing);
-    EXPECT_EQ(sut.lost(), 1U);
-    setrlimit(RLIMIT_FSIZE, &limit);
-    (void)sut.write(topic, message_of(3, t0 + 2, "kept"));
-    EXPECT_EQ(sut.close(), mcap::Kept::all);
-    EXPECT_EQ(sut.lost(), 1U);
   }
-  (void)std::signal(SIGXFSZ, before);
+  (void)sut.write(topic, message_of(3, t0 + 2, "kept"));
+  EXPECT_EQ(sut.close(), mcap::Kept::all);
+  EXPECT_EQ(sut.lost(), 1U);
   BagReader reader(folder.path("run"));
   EXPECT_EQ(all_of(reader).size(), 2U);
   EXPECT_THAT(folder.read("run/metadata.yaml"), HasSubstr("message_count: 2"));
@@ -185,27 +162,15 @@ TEST(BagWriter, CountsWhatAFullDiskTakesAndGoesOn) {
 
 TEST(BagWriter, BeginsOnAFullDiskAndWritesItsMetadataWhenThereIsRoom) {
   const TemporaryFolder folder;
-  auto* const before = std::signal(SIGXFSZ, SIG_IGN);
-  rlimit limit{};
-  getrlimit(RLIMIT_FSIZE, &limit);
-  const rlimit nothing{0, limit.rlim_max};
-  setrlimit(RLIMIT_FSIZE, &nothing);
-  BagWriter sut(folder.path("run"), {});
-  EXPECT_FALSE(fs::exists(folder.path("run/metadata.yaml")));
-  setrlimit(RLIMIT_FSIZE, &limit);
-  (void)std::signal(SIGXFSZ, before);
-  EXPECT_EQ(sut.flush(), mcap::Kept::all);
+  std::optional<BagWriter> sut;
+  {
+    const SmallDisk disk(0);
+    sut.emplace(folder.path("run"), BagOptions{});
+    EXPECT_FALSE(fs::exists(folder.path("run/metadata.yaml")));
+  }
+  EXPECT_EQ(sut->flush(), mcap::Kept::all);
   EXPECT_TRUE(fs::exists(folder.path("run/metadata.yaml")));
   EXPECT_EQ(BagReader(folder.path("run")).about().files.size(), 1U);
-}
-
-TEST(BagWriter, TakesNothingAfterItsEnd) {
-  const TemporaryFolder folder;
-  BagWriter sut(folder.path("run"), {});
-  const std::size_t topic = sut.add(text_topic("/a"));
-  EXPECT_EQ(sut.close(), mcap::Kept::all);
-  EXPECT_EQ(sut.write(topic, message_of(1, t0, "x")), mcap::Kept::nothing);
-  EXPECT_EQ(sut.flush(), mcap::Kept::nothing);
 }
 
 }  // namespace

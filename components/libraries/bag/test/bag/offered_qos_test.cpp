@@ -57,20 +57,6 @@ TEST(OfferedQos, IsReadWithWords) {
   EXPECT_EQ(offered[0].liveliness_lease_ns, 1'000'000'000);
 }
 
-TEST(OfferedQos, SurvivesItsText) {
-  OfferedQos one;
-  one.history = OfferedQos::History::keep_all;
-  one.depth = 7;
-  one.reliability = OfferedQos::Reliability::best_effort;
-  one.durability = OfferedQos::Durability::transient_local;
-  one.deadline_ns = 100'000'000;
-  one.lifespan_ns = 3'000'000'001;
-  const auto offered = parse_offered_qos(to_yaml({one, OfferedQos{}}));
-  ASSERT_EQ(offered.size(), 2U);
-  EXPECT_EQ(to_yaml(offered), to_yaml({one, OfferedQos{}}));
-  EXPECT_EQ(offered[0].lifespan_ns, 3'000'000'001);
-}
-
 TEST(OfferedQos, HasItsDefaultWhereATextSaysNothingSensible) {
   const auto offered = parse_offered_qos(
       "- reliability: 99\n  durability: sometimes\n  depth: -3\n  deadline: soon\n"

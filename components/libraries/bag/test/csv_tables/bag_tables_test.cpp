@@ -33,7 +33,7 @@ void write_bag(const std::string& path) {
   (void)writer.write(unknown, {7, 4'000'000'000, 4'000'000'000, bytes.data(), 4});
 }
 
-TEST(BagTables, AreWhatTheRecorderWouldHaveWrittenAsCsv) {
+TEST(BagTables, HaveARowForEachMessageAndOneForItsFields) {
   const TemporaryFolder folder;
   write_bag(folder.path("bag"));
   const BagTables sut({folder.path("bag")});

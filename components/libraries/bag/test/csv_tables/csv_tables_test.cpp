@@ -31,19 +31,10 @@ TEST_F(CsvTablesTest, ATopicHasItsOwnFileFromItsFirstMessageOn) {
   CsvTables sut(folder_.path("deep/er"));
   EXPECT_FALSE(std::filesystem::exists(folder_.path("deep/er/a.b.csv")));
   write(sut, "a/b", "hello");
-  sut.flush();
   EXPECT_EQ(folder_.read("deep/er/a.b.csv"),
             "receive_s,send_s,sequence,data\n2.000000000,1.000000000,4,hello\n");
   EXPECT_THAT(folder_.read("deep/er/messages.csv"), HasSubstr(",a/b,9,4,14\n"));
   EXPECT_EQ(sut.lost(), 0U);
-}
-
-TEST_F(CsvTablesTest, OfAnUnknownTypeOnlyTheMessageIsARow) {
-  CsvTables sut(folder_.path());
-  sut.write({"scan", 0, 0, 1, 2, 3}, nullptr, nullptr);
-  sut.flush();
-  EXPECT_THAT(folder_.read("messages.csv"), HasSubstr(",scan,1,2,3\n"));
-  EXPECT_FALSE(std::filesystem::exists(folder_.path("scan.csv")));
 }
 
 TEST_F(CsvTablesTest, AFileThatCannotBeMadeCostsItsRowsOnly) {
@@ -51,7 +42,6 @@ TEST_F(CsvTablesTest, AFileThatCannotBeMadeCostsItsRowsOnly) {
   CsvTables sut(folder_.path());
   write(sut, "a", "1");
   write(sut, "b", "2");
-  sut.flush();
   EXPECT_THAT(sut.take_problems(), ElementsAre(HasSubstr("a.csv")));
   EXPECT_THAT(sut.take_problems(), IsEmpty());
   EXPECT_THAT(folder_.read("b.csv"), HasSubstr(",2\n"));
@@ -62,7 +52,6 @@ TEST_F(CsvTablesTest, CountsWhatAFullDiskTakes) {
   CsvTables sut(folder_.path());
   write(sut, "a", "1");
   write(sut, "b", "2");
-  sut.flush();
   EXPECT_EQ(sut.lost(), 2U) << "the names of the columns, too";
   EXPECT_THAT(folder_.read("b.csv"), HasSubstr(",2\n"));
 }

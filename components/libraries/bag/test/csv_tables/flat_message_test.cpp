@@ -30,24 +30,18 @@ TEST(FlatMessage, NamesNestedFieldsByPath) {
   EXPECT_EQ(sut.at("data.size"), "3");
 }
 
-TEST(FlatMessage, WritesNumbersShortestAndExact) {
+TEST(FlatMessage, WritesNumbersShortestAndExactAndNanEmpty) {
   tocsin_msgs::msg::Goal message;
-  message.x(0.1);
-  message.y(-2.5e-8);
-  EXPECT_EQ(columns(message).at("x"), "0.1");
-  EXPECT_EQ(columns(message).at("y"), "-2.5e-08");
-}
-
-TEST(FlatMessage, LeavesNanEmpty) {
-  tocsin_msgs::msg::NetworkQuality message;
-  message.rtt_mean_ms(std::numeric_limits<float>::quiet_NaN());
-  EXPECT_EQ(columns(message).at("rtt_mean_ms"), "");
-}
-
-TEST(FlatMessage, WritesListsOfNumbersAsJson) {
-  tocsin_msgs::msg::CpuLoad message;
-  message.core_percent({1.5F, 2.0F});
-  EXPECT_EQ(columns(message).at("core_percent"), "[1.5,2]");
+  for (const auto& [x, text] : {std::pair(0.1, "0.1"),
+                                {-2.5e-8, "-2.5e-08"},
+                                {1e308, "1e+308"},
+                                {std::numeric_limits<double>::quiet_NaN(), ""}}) {
+    message.x(x);
+    EXPECT_EQ(columns(message).at("x"), text);
+  }
+  tocsin_msgs::msg::CpuLoad list;
+  list.core_percent({1.5F, 2.0F});
+  EXPECT_EQ(columns(list).at("core_percent"), "[1.5,2]");
 }
 
 TEST(FlatMessage, WritesOfAListOfMoreThan4096ElementsOnlyTheNumber) {
@@ -92,12 +86,6 @@ TEST(FlatMessage, WritesTextsInListsAsJsonThatReadsBackAsPrintable) {
   message.topics().resize(1);
   message.topics()[0].topic("\x1b\"\xff");
   EXPECT_EQ(columns(message).at("topics").substr(0, 29), R"([{"topic":"\\x1b\"\\xff","tra)");
-}
-
-TEST(FlatMessage, WritesHugeNumbersShort) {
-  tocsin_msgs::msg::Goal message;
-  message.x(1e308);
-  EXPECT_EQ(columns(message).at("x"), "1e+308");
 }
 
 }  // namespace

@@ -61,35 +61,6 @@ TEST_P(ForeignFile, IsReadWhole) {
   EXPECT_EQ(reader.read(summary.metadata[0])->values.at("seed"), "3");
 }
 
-TEST_P(ForeignFile, IsReadUpToACutAtEveryByte) {
-  FileSource source(path);
-  Bytes bytes(source.size());
-  ASSERT_TRUE(source.read(0, bytes.data(), bytes.size()));
-  std::size_t before = 0;
-  const auto all = expected();
-  for (std::size_t size = 8; size < bytes.size(); ++size) {
-    const auto got = messages_in(Bytes(bytes.begin(), bytes.begin() + static_cast<long>(size)));
-    ASSERT_TRUE(std::equal(got.begin(), got.end(), all.begin())) << size;
-    ASSERT_GE(got.size(), before) << size;
-    before = got.size();
-  }
-  EXPECT_EQ(before, all.size());
-}
-
-TEST_P(ForeignFile, IsMended) {
-  FileSource source(path);
-  MemorySink sink;
-  Writer writer(sink, {});
-  const Recovered recovered = recover(source, writer);
-  EXPECT_EQ(recovered.messages, 20U);
-  EXPECT_EQ(recovered.attachments, 1U);
-  EXPECT_EQ(recovered.metadata, 1U);
-  (void)writer.close();
-  Reader reader = reader_of(sink.bytes());
-  EXPECT_FALSE(reader.damage().no_summary);
-  EXPECT_EQ(all_of(reader), expected());
-}
-
 /// Files of others, for example of rosbag2, when there are some on this computer.
 TEST(SharedFiles, AreReadWhole) {
   const char* const shared = std::getenv("TOCSIN_SHARED");

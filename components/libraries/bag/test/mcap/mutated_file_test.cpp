@@ -52,7 +52,7 @@ void mend_crc(Bytes& bytes) {
   if (bytes.size() < footer_size + magic.size()) return;
   const std::size_t footer = bytes.size() - footer_size + record_head;
   Cursor cursor({bytes.data() + footer, 8});
-  const std::uint64_t start = cursor.u64();
+  const std::uint64_t start = cursor.number(8);
   const std::size_t field = bytes.size() - magic.size() - 4;
   if (start >= field) return;
   const std::uint32_t crc = crc32({bytes.data() + start, field - static_cast<std::size_t>(start)});

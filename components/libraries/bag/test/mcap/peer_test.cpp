@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the makers of the format read in our files: @mcap/core, by test/mcap_peer. Skipped where it
+// What the authors of the format read in our files: @mcap/core, by test/mcap_peer. Skipped where it
 // was not installed (npm ci in that folder).
 #include <gtest/gtest.h>
 

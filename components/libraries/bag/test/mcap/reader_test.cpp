@@ -37,24 +37,6 @@ TEST(Reader, OpensByTheSummaryAlone) {
   EXPECT_EQ(sut.summary().statistics.message_count, 2U);
 }
 
-TEST(Reader, TellsWhatIsInAFile) {
-  Reader sut = reader_of(file_of(numbered(101), small_chunks()));
-  const Summary& summary = sut.summary();
-  EXPECT_EQ(summary.header.profile, "ros2");
-  EXPECT_EQ(summary.header.library, "tocsin");
-  EXPECT_EQ(summary.schemas.at(1).name, "p/msg/T");
-  EXPECT_EQ(summary.schemas.at(1).data, "int32 x\n");
-  EXPECT_EQ(summary.channels.at(1).topic, "/a");
-  EXPECT_EQ(summary.channels.at(1).metadata, (KeyValues{{"k", "v"}}));
-  EXPECT_EQ(summary.statistics.message_count, 101U);
-  EXPECT_EQ(summary.statistics.start_ns, 1000U);
-  EXPECT_EQ(summary.statistics.end_ns, 1100U);
-  EXPECT_EQ(summary.statistics.channel_message_counts.at(1), 51U);
-  EXPECT_EQ(summary.statistics.channel_message_counts.at(2), 50U);
-  EXPECT_EQ(summary.statistics.chunk_count, summary.chunks.size());
-  EXPECT_GT(summary.chunks.size(), 10U);
-}
-
 TEST(Reader, ASummaryAndAWalkSayTheSame) {
   const Bytes bytes = file_of(numbered(101), small_chunks(Compression::lz4));
   const Reader by_summary = reader_of(bytes);
@@ -70,29 +52,11 @@ TEST(Reader, ASummaryAndAWalkSayTheSame) {
                      b.end_ns, b.channel_message_counts));
 }
 
-TEST(Reader, GivesMessagesInOrderOfLogTimeAcrossChunks) {
-  auto messages = numbered(200);
-  std::mt19937 random(11);
-  std::shuffle(messages.begin(), messages.end(), random);
-  Reader sut = reader_of(file_of(messages, small_chunks()));
-  EXPECT_EQ(all_of(sut), numbered(200));
-}
-
 TEST(Reader, KeepsTheOrderOfTheFileAmongEqualTimes) {
   std::vector<Sent> messages;
   for (std::uint32_t i = 0; i < 50; ++i) messages.push_back({"/a", i, 77, "same"});
   Reader sut = reader_of(file_of(messages, small_chunks()));
   EXPECT_EQ(all_of(sut), messages);
-}
-
-TEST(Reader, GivesMessagesInOrderOfTheFileWhenAsked) {
-  auto messages = numbered(200);
-  std::mt19937 random(11);
-  std::shuffle(messages.begin(), messages.end(), random);
-  Reader sut = reader_of(file_of(messages, small_chunks()));
-  Query query;
-  query.order = Order::file;
-  EXPECT_EQ(all_of(sut, query), messages);
 }
 
 TEST(Reader, GivesOnlyTheTimesThatAreWantedBothEndsIncluded) {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
-#include <csignal>
 #include <filesystem>
 
 #include "foundation/error.hpp"
+#include "foundation/small_disk.hpp"
 #include "foundation/temporary_folder.hpp"
 #include "mcap/byte_sink.hpp"
 #include "mcap/byte_source.hpp"
@@ -14,36 +13,8 @@
 namespace tocsin::mcap {
 namespace {
 
-/// While it lives, no file of this process becomes longer: what a full disk does.
-class SmallDisk {
- public:
-  explicit SmallDisk(rlim_t bytes) : before_(std::signal(SIGXFSZ, SIG_IGN)) {
-    getrlimit(RLIMIT_FSIZE, &limit_);
-    const rlimit small{bytes, limit_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &small);
-  }
-  ~SmallDisk() {
-    setrlimit(RLIMIT_FSIZE, &limit_);
-    (void)std::signal(SIGXFSZ, before_);
-  }
-  SmallDisk(const SmallDisk&) = delete;
-  SmallDisk& operator=(const SmallDisk&) = delete;
-
- private:
-  void (*before_)(int);
-  rlimit limit_{};
-};
-
 Span span_of(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
-}
-
-TEST(FileSink, AppendsAllPartsInTheirOrder) {
-  const TemporaryFolder folder;
-  FileSink sut(folder.path("a.mcap"));
-  EXPECT_EQ(sut.append({span_of("one "), {}, span_of("two")}), Kept::all);
-  EXPECT_EQ(sut.append({span_of(" three")}), Kept::all);
-  EXPECT_EQ(folder.read("a.mcap"), "one two three");
 }
 
 TEST(FileSink, RefusesAFileThatIsThere) {

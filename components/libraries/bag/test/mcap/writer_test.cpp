@@ -7,14 +7,6 @@
 namespace tocsin::mcap {
 namespace {
 
-TEST(Writer, GivesIdsFromOne) {
-  MemorySink sink;
-  Writer sut(sink, {});
-  EXPECT_EQ(sut.declare(Schema{}), 1);
-  EXPECT_EQ(sut.declare(Schema{}), 2);
-  EXPECT_EQ(sut.declare(Channel{0, 2, "/a", "cdr", {}}), 1);
-}
-
 TEST(Writer, TakesGivenIdsOnce) {
   MemorySink sink;
   Writer sut(sink, {});
@@ -41,25 +33,11 @@ TEST(Writer, HasRoomForAllIdsAndNoMore) {
   EXPECT_EQ(sut.declare(Schema{}), std::nullopt);
 }
 
-TEST(Writer, RefusesAMessageOfAnUnknownChannel) {
-  MemorySink sink;
-  Writer sut(sink, {});
-  EXPECT_EQ(sut.write(Message{3, 0, 1, 1, nullptr, 0}), Kept::nothing);
-}
-
 TEST(Writer, WritesAChunkWhenItIsFull) {
   MemorySink sink;
   TwoTopics file(sink, small_chunks());
   while (sink.bytes().empty()) (void)file.write({"/a", 0, 1, "12345678"});
   EXPECT_EQ(file.writer.statistics().message_count, 6U);  // of 39 bytes each; 200 is full
-  EXPECT_EQ(file.writer.size(), sink.bytes().size());
-}
-
-TEST(Writer, IsAsLargeAsItSays) {
-  MemorySink sink;
-  TwoTopics file(sink, small_chunks());
-  for (const Sent& sent : numbered(100)) (void)file.write(sent);
-  (void)file.writer.close();
   EXPECT_EQ(file.writer.size(), sink.bytes().size());
 }
 

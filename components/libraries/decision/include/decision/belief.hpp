@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "decision/costs.hpp"
 #include "decision/llr.hpp"
+#include "decision/slot_costs.hpp"
 
 namespace tocsin::decision {
 

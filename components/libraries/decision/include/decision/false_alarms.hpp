@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "decision/detector.hpp"
+#include "decision/detectors.hpp"
 
 namespace tocsin::decision {
 
@@ -21,8 +21,8 @@ class QualitySource {
   virtual void restart() = 0;
 };
 
-/// Independent qualities of a law on [0,100], drawn by the inverse of its distribution function.
-[[nodiscard]] std::unique_ptr<QualitySource> independent(const Density& law, std::uint64_t seed);
+/// Independent qualities of a normal law, held within [0,100].
+[[nodiscard]] std::unique_ptr<QualitySource> independent(Normal law, std::uint64_t seed);
 
 /// How many paths are simulated, and how far.
 struct Effort {
@@ -35,8 +35,8 @@ struct Effort {
 /// at risk over alarms, so that a path without an alarm counts with its horizon.
 class FalseAlarmCurve {
  public:
-  /// Blocks for effort.paths x effort.horizon samples. `detector` starts each path as it is.
-  FalseAlarmCurve(QualitySource& source, const Detector& detector, const Effort& effort);
+  /// Blocks for effort.paths x effort.horizon samples. `detector` is reset before each path.
+  FalseAlarmCurve(QualitySource& source, Detector& detector, const Effort& effort);
 
   /// [samples]; where no path reaches `threshold`, the time at risk of all of them times two.
   [[nodiscard]] double run_length(double threshold) const;

@@ -4,11 +4,9 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <vector>
 
-#include "decision/costs.hpp"
 #include "decision/policy_params.hpp"
-#include "decision/site_learner.hpp"
+#include "foundation/enum_words.hpp"
 #include "foundation/time.hpp"
 
 namespace tocsin::decision {
@@ -24,10 +22,8 @@ enum class Reason {
   stale_sample,           ///< the sample is older than one taken before; used as no measurement
   threshold_low,          ///< quality fell below the lower bound
   threshold_high,         ///< quality rose to the upper bound
-  mild_alarm,             ///< the CUSUM for a mild degradation reached its threshold
   cusum_alarm,            ///< the CUSUM for "turned bad" reached its threshold
-  focus_alarm,            ///< FOCuS reached its threshold
-  roberts_alarm,          ///< Shiryaev-Roberts reached its threshold
+  detector_alarm,         ///< another detector of "turned bad" reached its threshold
   reverse_alarm,          ///< the CUSUM for "turned good" reached its threshold
   best_so_far,            ///< the best sample of the pause came at or after candidate r*
   belief_bad,             ///< the network is probably bad: silence pays
@@ -41,8 +37,30 @@ enum class Reason {
 };
 
 /// The words for messages and tables, equal to the enumerators.
-[[nodiscard]] const char* to_string(State state);
-[[nodiscard]] const char* to_string(Reason reason);
+inline constexpr auto words_of(Reason) {
+  return std::array{"start",
+                    "steady",
+                    "no_measurement",
+                    "stale_sample",
+                    "threshold_low",
+                    "threshold_high",
+                    "cusum_alarm",
+                    "detector_alarm",
+                    "reverse_alarm",
+                    "best_so_far",
+                    "belief_bad",
+                    "belief_good",
+                    "legacy_drop",
+                    "legacy_count",
+                    "foreseen",
+                    "fixed_pause_over",
+                    "forced_resume_samples",
+                    "forced_resume_time"};
+}
+[[nodiscard]] inline const char* to_string(Reason reason) { return word_of(reason); }
+[[nodiscard]] inline const char* to_string(State state) {
+  return state == State::active ? "active" : "passive";
+}
 
 /// One measurement of the network.
 struct Sample {
@@ -82,8 +100,6 @@ class Rule {
   virtual void entered(State state) = 0;
   /// Nothing was heard for so long while active that earlier evidence is void.
   virtual void forget() = 0;
-  /// What it has learned of the site; empty when it does not learn.
-  [[nodiscard]] virtual std::optional<LearnedLaw> learned() const { return std::nullopt; }
 };
 
 /// Decides when the gated writers fall silent and when they speak again.
@@ -91,7 +107,7 @@ class Rule {
 /// Promises, whatever the samples and the clock do: a pause ends at the latest with its sample
 /// number th_max_samples and, given a call at the deadline, after th_max_s of clock time; NaN and
 /// stale samples are never evidence; a clock that goes back never prolongs a pause by more than
-/// was still left. No throw; no allocation but when a learned law is put in force (laws `apply`).
+/// was still left. No throw, no allocation.
 class Policy {
  public:
   /// Throws ConfigError when the limits contradict each other. `name` must outlive the policy.
@@ -104,8 +120,6 @@ class Policy {
 
   [[nodiscard]] State state() const { return state_; }
   [[nodiscard]] const char* name() const { return name_; }
-  /// What was learned of the site; empty with laws `fixed`.
-  [[nodiscard]] std::optional<LearnedLaw> learned() const { return rule_->learned(); }
 
  private:
   bool advance(Time now);
@@ -131,11 +145,5 @@ class Policy {
 /// of a second, because thresholds are computed. Throws ConfigError when a rule across fields is
 /// broken.
 [[nodiscard]] std::unique_ptr<Policy> make_policy(const PolicyParams& params);
-
-/// The clairvoyant for a known trace, offline only: slot n is the one in which sample n is taken,
-/// so that sample n decides slot n + 1 as for any policy; the first slot is spoken in. Never silent
-/// beyond th_max_samples; without th_max_s.
-[[nodiscard]] std::unique_ptr<Policy> make_oracle(const std::vector<Slot>& slots, double change,
-                                                  int th_max_samples);
 
 }  // namespace tocsin::decision

@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "decision/costs.hpp"
+#include "decision/detectors.hpp"
+#include "decision/slot_costs.hpp"
+#include "foundation/enum_words.hpp"
 #include "foundation/parameters.hpp"
 
 namespace tocsin::decision {
@@ -16,22 +18,24 @@ struct PolicyLimits {
   double gap_reset_s = 60;  ///< a longer gap in samples voids the evidence for "turned bad"
 };
 
+enum class PolicyKind { none, threshold, tocp, tocp_dsp, tocp_reverse, belief, legacy };
+inline constexpr auto words_of(PolicyKind) {
+  return std::array{"none", "threshold", "tocp", "tocp_dsp", "tocp_reverse", "belief", "legacy"};
+}
 /// Every policy that make_policy knows.
 inline constexpr Choices policy_names{"none",         "threshold", "tocp",  "tocp_dsp",
                                       "tocp_reverse", "belief",    "legacy"};
 
-/// The detectors of "turned bad" that tocp, tocp_dsp and tocp_reverse may have.
-inline constexpr Choices detector_names{"cusum", "focus", "shiryaev_roberts"};
-
-/// What is done with the law of the good link that is learned on the vehicle.
-inline constexpr Choices law_uses{"fixed", "propose", "apply"};
+/// How the worth of waiting fades in tocp_dsp.
+enum class DiscountKind { geometric, linear };
+inline constexpr auto words_of(DiscountKind) { return std::array{"geometric", "linear"}; }
 
 /// Which policy decides, and its settings. Defaults: no policy, because beside the link router it
 /// is the one that costs users least (experiment's README); for the others the thesis's laws at one
 /// sample per 6 s (20 echoes, 0.3 s apart), a false alarm per 3600 good samples, silence of at most
 /// 3 minutes.
 struct PolicyParams {
-  std::string policy = "none";
+  PolicyKind policy = PolicyKind::none;
   int th_max_samples = 30;
   double th_max_s = 180;
   double gap_reset_s = 60;
@@ -44,20 +48,13 @@ struct PolicyParams {
   std::string bad_family = "normal";
   std::vector<double> bad_parameters;
   double llr_clip = 0;
-  std::string laws = "fixed";
-  double learn_memory_samples = 1800;
-  double learn_max_shift = 2;
-  double learn_max_spread = 2;
-  std::string detector = "cusum";
+  DetectorKind detector = DetectorKind::cusum;
   double detector_threshold = 0;
   double alpha = 5.53;
   double reverse_alpha = 3.86;
   double false_alarm_samples = 0;
   double false_resume_samples = 0;
-  double mild_mean = 65;
-  double mild_alpha = 0;
-  double mild_share = 0;
-  std::string discount = "geometric";
+  DiscountKind discount = DiscountKind::geometric;
   double discount_value = 0.95;
   int fixed_pause_samples = 30;
   double pause_below_qni = 40;
@@ -73,10 +70,10 @@ struct PolicyParams {
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v("policy", policy, policy_names, "who decides when to fall silent and when to resume");
+    visit_enum(v, "policy", policy, policy_names,
+               "who decides when to fall silent and when to resume");
     visit_limits(v);
     visit_laws(v);
-    visit_learning(v);
     visit_detector(v);
     visit_resume(v);
     visit_belief(v);
@@ -110,26 +107,13 @@ struct PolicyParams {
     v("llr_clip", llr_clip, {0, 1000}, "[nat] bound on one log-likelihood ratio; 0 is none");
   }
   template <class Visitor>
-  void visit_learning(Visitor& v) {
-    v("laws", laws, law_uses,
-      "fixed: as configured; propose: the good law is learned while driving and told; apply: tocp, "
-      "tocp_dsp and tocp_reverse also decide by it");
-    v("learn_memory_samples", learn_memory_samples, {60, 1e6},
-      "[1] samples that the learned law rests on; older ones fade");
-    v("learn_max_shift", learn_max_shift, {0.01, 10},
-      "[1] standard deviations good_sd that the learned mean may lie from good_mean");
-    v("learn_max_spread", learn_max_spread, {1, 10},
-      "[1] factor that the learned standard deviation may differ from good_sd");
-  }
-  template <class Visitor>
   void visit_detector(Visitor& v) {
-    v("detector", detector, detector_names,
-      "tocp, tocp_dsp, tocp_reverse: cusum for a change to the bad law, focus for a fall of "
-      "unknown "
-      "size, shiryaev_roberts");
+    visit_enum(v, "detector", detector, detector_names,
+               "tocp, tocp_dsp, tocp_reverse: cusum for a change to the bad law, focus for a fall "
+               "of unknown size");
     v("detector_threshold", detector_threshold, {0, 10000},
-      "[nat] focus and shiryaev_roberts alarm here; 0: as rarely as alpha or false_alarm_samples "
-      "say, on independent samples");
+      "[nat] focus alarms here; 0: as rarely as alpha or false_alarm_samples say, on independent "
+      "samples");
     v("alpha", alpha, {0.001, 1000}, "[nat] the CUSUM alarms at this sum");
     v("reverse_alpha", reverse_alpha, {0.001, 1000},
       "[nat] tocp_reverse: resumes at this sum of evidence for good");
@@ -137,16 +121,11 @@ struct PolicyParams {
       "[1] wanted mean samples between false alarms, replaces alpha; 0 is as alpha says");
     v("false_resume_samples", false_resume_samples, {0, 1e12},
       "[1] tocp_reverse: the same for resuming in a bad network; 0 is as reverse_alpha says");
-    v("mild_mean", mild_mean, {0, 100}, "[QNI] mean of a mild degradation, with good_sd");
-    v("mild_alpha", mild_alpha, {0, 1000},
-      "[nat] a second CUSUM for mild degradation alarms at this sum; 0 is off");
-    v("mild_share", mild_share, {0, 0.99},
-      "[1] replaces mild_alpha: share of the false alarms that the second CUSUM has, so that both "
-      "detectors together have as many as one alone; 0 is as mild_alpha says");
   }
   template <class Visitor>
   void visit_resume(Visitor& v) {
-    v("discount", discount, {"geometric", "linear"}, "tocp_dsp: how the worth of waiting fades");
+    visit_enum(v, "discount", discount, Choices{"geometric", "linear"},
+               "tocp_dsp: how the worth of waiting fades");
     v("discount_value", discount_value, {0, 1},
       "[1] geometric: factor per sample; linear: loss over the longest pause");
     v("fixed_pause_samples", fixed_pause_samples, {1, 1000000}, "[1] tocp: length of a pause");

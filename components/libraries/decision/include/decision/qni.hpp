@@ -33,6 +33,13 @@ struct QniInput {
   std::optional<double> quality;      ///< driver's link quality, 0 to `quality_best`
 };
 
+/// The readings of a NetworkQuality message, whose link quality is in percent of the 70 of
+/// /proc/net/wireless. NaN: not told.
+[[nodiscard]] inline QniInput qni_input(double per_percent, double signal_dbm,
+                                        double quality_percent) {
+  return {per_percent, signal_dbm, quality_percent / 100 * 70};
+}
+
 /// A quality index and what it rests on.
 struct Qni {
   double value;         ///< [0,100], 100 is perfect; NaN when no term was measured
@@ -50,7 +57,7 @@ struct Qni {
 /// A missing term is left out and the remaining weights are scaled up to sum to 1.
 ///
 /// On Linux the link quality of most drivers is signal + 110 on a scale of 70, so the thesis's
-/// weights count the signal twice; see ChannelQniModel for an index that does not.
+/// weights count the signal twice.
 class QniModel {
  public:
   /// Throws ConfigError when the weights do not sum to 1 or the signal range is empty.

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 
 #include "decision/llr.hpp"
 
@@ -35,16 +34,5 @@ struct StepLaw {
 /// Throws ConfigError when `samples` is below the run length of the smallest threshold or beyond
 /// what thresholds up to 1000 reach.
 [[nodiscard]] double alpha_for_run_length(const StepLaw& law, double samples, bool smooth = true);
-
-/// The same from 40 and 80 states: within 3 % of the run length, in a few milliseconds, for use
-/// while running. Empty where alpha_for_run_length throws.
-[[nodiscard]] std::optional<double> rough_alpha_for_run_length(const StepLaw& law, double samples,
-                                                               bool smooth = true);
-
-/// Mean run length of W = max(0, W + z - k), z normal with mean `mu` and spread 1, until W >= h.
-/// Integral equation of Page by Gauss-Legendre quadrature; 1e-6 relative up to run lengths of 1e9.
-[[nodiscard]] double gaussian_run_length(double k, double h, double mu);
-/// The same for the two-sided test: 1/two = 1/up + 1/down.
-[[nodiscard]] double gaussian_run_length_two_sided(double k, double h, double mu);
 
 }  // namespace tocsin::decision

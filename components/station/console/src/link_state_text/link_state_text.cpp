@@ -66,8 +66,8 @@ Line trouble(const LinkState& state) {
 }
 
 std::uint64_t dropped(const LinkClass& one) {
-  return one.dropped_paused() + one.dropped_superseded() + one.dropped_thinned() +
-         one.dropped_expired() + one.dropped_overflow();
+  return one.dropped_paused() + one.dropped_superseded() + one.dropped_expired() +
+         one.dropped_overflow();
 }
 
 std::vector<terminal::Cell> row(const LinkState& state, const LinkClass& one) {

@@ -12,6 +12,7 @@
 #include "foundation/error.hpp"
 #include "foundation/role.hpp"
 #include "runtime/component_entry.hpp"
+#include "runtime/host_control.hpp"
 
 namespace tocsin {
 
@@ -113,7 +114,7 @@ void LiveViewComponent::take_diagnostics(Time now) {
 void LiveViewComponent::look_at_readers() {
   std::map<std::string, TopicReader> readers;
   for (const PortHealth& input : port_health()) readers[input.topic] = {};
-  for (const EndpointHealth& endpoint : bus().health()) {
+  for (const EndpointHealth& endpoint : bus().host_control().health()) {
     const auto found = readers.find(endpoint.topic);
     if (endpoint.writer || found == readers.end()) continue;
     TopicReader& reader = found->second;

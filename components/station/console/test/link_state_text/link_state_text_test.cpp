@@ -57,13 +57,10 @@ std::string table_of(const std::vector<LinkState>& states, std::size_t width = 2
   return text;
 }
 
-TEST(LinkStateText, TellsWhatMattersMostFirst) {
+TEST(LinkStateText, LeavesOutWhatMattersLessWhereThereIsNoRoom) {
   EXPECT_EQ(
       text_of(healthy()),
       "1182 kB/s, backlog 3 ms, loss 1 %, late 3+1, repaired 12+4, scale 0.75, discovery 2 %");
-}
-
-TEST(LinkStateText, LeavesOutWhatMattersLessWhereThereIsNoRoom) {
   EXPECT_EQ(text_of(healthy(), 70),
             "1182 kB/s, backlog 3 ms, loss 1 %, late 3+1, repaired 12+4, scale 0.75");
   EXPECT_EQ(text_of(healthy(), 60), "1182 kB/s, backlog 3 ms, loss 1 %, late 3+1, scale 0.75");
@@ -80,11 +77,7 @@ TEST(LinkStateText, APeerThatDoesNotAnswerStandsBeforeAllElseInRed) {
   EXPECT_THAT(text_of(state, 20), StartsWith("peer SILENT")) << "also where there is little room";
   state.live_peers(2);
   EXPECT_THAT(text_of(state), StartsWith("1 SILENT, 1182 kB/s"));
-}
-
-TEST(LinkStateText, AClosedGateIsSaid) {
-  LinkState state = healthy();
-  EXPECT_THAT(text_of(state), Not(HasSubstr("PAUSED")));
+  state.silent_peers(0);
   state.paused(true);
   EXPECT_THAT(text_of(state), StartsWith("PAUSED, 1182 kB/s"));
 }

@@ -55,28 +55,30 @@ TEST(Screen, SaysWhatHasNotBeenHeard) {
   EXPECT_EQ(summary_line({}, t0, limits), "nothing heard yet");
 }
 
-TEST(Screen, ShowsMissionAndVehicle) {
-  const std::string text = text_of(full_state());
-  EXPECT_THAT(text, HasSubstr("mission_a: running, waypoint 4 of 9, 2:05 min, 4 goals sent\n"));
-  EXPECT_THAT(text, HasSubstr("at (1.23, 0.00) m, driving, 4.2 m to go\n"));
-}
+/// One page with all that it can tell.
+TEST(Screen, TellsSafetyMissionVehicleLinkAndTopicsInThisOrder) {
+  ViewState state = routed(full_state());
+  state.safety->value.emergency_stop(true);
+  state.safety->value.bumper(2);
+  const std::string text = text_of(state, t0 + seconds(2), {80, 24});
+  EXPECT_THAT(text, ::testing::StartsWith(R"(Tocsin
+Safety    EMERGENCY STOP, bumper
+Mission   mission_a: running, waypoint 4 of 9, 2:05 min, 4 goals sent
+Vehicle   at (1.23, 0.00) m, driving, 4.2 m to go
+Link      PER 12.5 %, RTT 0.0 ms, signal -, link quality 0 %
+Vehicle   PASSIVE by tocp_dsp (cusum_alarm) QNI 50.0, resumes in 24 s
+Station   ACTIVE  by tocp_dsp (cusum_alarm) QNI 50.0 [#####.....] 0.0/0.0
+Uplink    180 kB/s, backlog 12 ms, loss 3 %, late 3+0, repaired 12+0, scale 0.75
+Downlink  180 kB/s, backlog 12 ms, loss 3 %, late 3+0, repaired 12+0, scale 0.75
 
-TEST(Screen, ShowsTheDecisionWithItsRuleAndDeadline) {
-  const std::string text = text_of(full_state());
-  EXPECT_THAT(text, HasSubstr("PASSIVE by tocp_dsp (cusum_alarm) QNI 50.0 [#####.....]"));
-  EXPECT_THAT(text, HasSubstr("resumes in 26 s"));
-  EXPECT_THAT(text_of(full_state(), t0 + seconds(2)), HasSubstr("resumes in 24 s"));
+from the vehicle)"));
+  EXPECT_THAT(text, ::testing::EndsWith("0.1 s        95/100  95 % PAUSED\n"));
+  EXPECT_THAT(text_of(full_state()), Not(HasSubstr("Safety")));
+  EXPECT_THAT(text_of(full_state()), Not(HasSubstr("Uplink"))) << "a host without a router";
 }
 
 TEST(Screen, ShowsUnknownValuesAsDash) {
   EXPECT_THAT(text_of(full_state()), HasSubstr("PER 12.5 %, RTT 0.0 ms, signal -,"));
-}
-
-TEST(Screen, ShowsDeliveredAndPausedOfATopic) {
-  const std::string text = text_of(full_state());
-  EXPECT_THAT(text, HasSubstr("95/100"));
-  EXPECT_THAT(text, HasSubstr("95 %"));
-  EXPECT_THAT(text, HasSubstr("PAUSED      11"));
 }
 
 TEST(Screen, SaysThatTheDiskIsFullBeforeAllElse) {
@@ -86,15 +88,6 @@ TEST(Screen, SaysThatTheDiskIsFullBeforeAllElse) {
   state.disk = {{0.9}, t0};
   EXPECT_EQ(lines_of(state, t0, {80, 5}).front(), "Disk      FULL: recordings and logs are lost");
   EXPECT_THAT(summary_line(state, t0, limits), HasSubstr("disk FULL"));
-}
-
-TEST(Screen, TellsOfEachSidesWayOverTheLinkBelowTheDecisions) {
-  const auto lines = lines_of(routed(full_state()), t0, {80, 24});
-  EXPECT_EQ(lines[6],
-            "Uplink    180 kB/s, backlog 12 ms, loss 3 %, late 3+0, repaired 12+0, scale 0.75");
-  EXPECT_THAT(lines[5], HasSubstr("Station"));
-  EXPECT_THAT(lines[7], HasSubstr("Downlink  180 kB/s"));
-  EXPECT_THAT(text_of(full_state()), Not(HasSubstr("Uplink"))) << "a host without a router";
 }
 
 TEST(Screen, AStaleStateOfTheLinkIsGreyAndAnUnknownOneIsNotShown) {
@@ -133,14 +126,6 @@ TEST(Screen, TheVehicleIsAsOldAsTheOlderOfPlaceAndDoing) {
   EXPECT_THAT(text_of(state, t0 + seconds(10)), HasSubstr("m to go, 10 s ago"));
   EXPECT_THAT(text_of(state, t0 + seconds(31)), HasSubstr("at (1.23, 0.00) m, 21 s ago\n"))
       << "what it does is unknown, where it is is not";
-}
-
-TEST(Screen, SafetyHasTheFirstLineWhenItHindersTheVehicle) {
-  ViewState state = full_state();
-  EXPECT_THAT(text_of(state), Not(HasSubstr("Safety")));
-  state.safety->value.emergency_stop(true);
-  state.safety->value.bumper(2);
-  EXPECT_EQ(lines_of(state, t0, {80, 5})[0], "Safety    EMERGENCY STOP, bumper");
 }
 
 TEST(Screen, WhatAnOldReportToldIsGreyThenUnknown) {
@@ -239,6 +224,54 @@ TEST(Screen, ATimeThatIsNoneIsADash) {
     state.mission->value.elapsed_s(odd);
     EXPECT_THAT(text_of(state), HasSubstr("waypoint 4 of 9, -, 4 goals"));
   }
+}
+
+/// 20 topics of which only the last, the camera, carries anything.
+ViewState with_idle_topics() {
+  ViewState state = full_state();
+  state.traffic.assign(20, camera_row());
+  for (std::size_t i = 0; i < state.traffic.size(); ++i) {
+    TrafficRow& row = state.traffic[i];
+    row.topic = fmt::format("topic_{:02}", i);
+    row.rate_hz = 0;
+    row.paused = false;
+    row.sent = row.received = 3;
+  }
+  state.traffic.back() = camera_row();
+  return state;
+}
+
+TEST(Screen, WhereThereIsNoRoomTheIdleTopicsGoFirst) {
+  const auto lines = lines_of(with_idle_topics(), t0, {80, 24});
+  ASSERT_EQ(lines.size(), 24U);
+  EXPECT_THAT(lines[6], HasSubstr("camera/image_raw"));
+  EXPECT_THAT(lines[7], HasSubstr("topic_00"));
+  EXPECT_EQ(lines[23], "and 3 topics more");
+}
+
+TEST(Screen, ATopicThatIsPausedOrLosesSamplesIsNotIdle) {
+  ViewState state = with_idle_topics();
+  state.traffic[17].paused = true;
+  state.traffic[18].sent = 4;
+  const auto lines = lines_of(state, t0, {80, 24});
+  EXPECT_THAT(lines[6], HasSubstr("topic_17"));
+  EXPECT_THAT(lines[7], HasSubstr("topic_18"));
+}
+
+TEST(SummaryLine, IsOneLine) {
+  EXPECT_EQ(summary_line(full_state(), t0, limits),
+            "waypoint 4/9 running  at (1.23, 0.00) m  QNI 50.0  vehicle passive (cusum_alarm)  "
+            "station active (cusum_alarm)");
+}
+
+TEST(SummaryLine, TellsAgesAndWhatHindersTheVehicle) {
+  ViewState state = full_state();
+  state.safety->value.emergency_stop(true);
+  state.location->at = t0 - seconds(40);
+  state.uxv->at = t0 - seconds(5);
+  EXPECT_EQ(summary_line(state, t0, limits),
+            "EMERGENCY STOP  waypoint 4/9 running  location unknown for 40 s  "
+            "QNI 50.0  vehicle passive (cusum_alarm) 5 s ago  station active (cusum_alarm)");
 }
 
 }  // namespace

@@ -71,26 +71,6 @@ TEST_F(OperatorConsoleComponentTest, RepeatsTheEmergencyStopUntilTheVehicleStand
   EXPECT_EQ(lines_, (std::vector<std::string>{"emergency stop ON: the vehicle stands"}));
 }
 
-TEST_F(OperatorConsoleComponentTest, GivesUpAfterItsWait) {
-  order("estop_off");
-  bus_.run_for(seconds(4.9));
-  EXPECT_FALSE(code_);
-  bus_.run_for(seconds(0.2));
-  EXPECT_EQ(code_, 1);
-  requests_.take();
-  bus_.run_for(seconds(5));
-  EXPECT_TRUE(requests_.take().empty());
-}
-
-TEST_F(OperatorConsoleComponentTest, StatusOrdersNothing) {
-  order("estop_status");
-  hear_station("off", "unheard");
-  EXPECT_FALSE(code_);
-  hear_vehicle(false);
-  EXPECT_EQ(code_, 0);
-  EXPECT_TRUE(requests_.take().empty());
-}
-
 TEST_F(OperatorConsoleComponentTest, BelievesTheStationWhatTheVehicleSaid) {
   order("estop_on");
   hear_station("on", "stands");
@@ -141,19 +121,6 @@ TEST_F(OperatorConsoleComponentTest, AtTheVehicleTheLinkIsNotTheAnswer) {
   EXPECT_FALSE(code_);
   EXPECT_TRUE(stops_.take().back().data());
   EXPECT_TRUE(requests_.take().empty());
-}
-
-TEST_F(OperatorConsoleComponentTest, TellsTheVehicleItselfWhenNobodyAtTheStationTakesIt) {
-  params_.direct = true;
-  order("estop_on");
-  bus_.run_for(seconds(0.99));
-  EXPECT_TRUE(stops_.take().empty());
-  bus_.run_for(seconds(1));
-  const auto said = stops_.take();
-  ASSERT_GE(said.size(), 5U);
-  EXPECT_TRUE(said.back().data());
-  hear_vehicle(true);
-  EXPECT_EQ(code_, 0);
 }
 
 TEST_F(OperatorConsoleComponentTest, StartsDockingAndTellsItsSteps) {

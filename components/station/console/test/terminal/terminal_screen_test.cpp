@@ -59,11 +59,6 @@ TEST(Shortened, TellsHowManyAreMissing) {
   EXPECT_TRUE(shortened(lines, 2, "rows").empty());
 }
 
-TEST(ToTexts, ShowsWhatFitsFromTheTop) {
-  EXPECT_THAT(to_texts({{{"one"}}, {{"two"}}, {{"three"}}}, {3, 2}, false),
-              ElementsAre("one", "two"));
-}
-
 TEST(Frame, WritesOverEveryRowAndClearsBelow) {
   EXPECT_EQ(frame({{{"one"}}, {{"two"}}}, {80, 24}), "\x1b[H\x1b[2Kone\r\n\x1b[2Ktwo\r\n\x1b[J");
   EXPECT_EQ(frame({}, {80, 24}), "\x1b[H\x1b[J");

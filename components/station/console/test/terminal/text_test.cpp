@@ -25,12 +25,6 @@ TEST(WidthOf, CountsBytesThatAreNotUtf8AsOneEach) {
   EXPECT_EQ(width_of(std::string_view("a\0b", 3)), 3U);
 }
 
-TEST(Cut, MarksWhatGoesOn) {
-  EXPECT_EQ(cut("abcd", 3), "ab>");
-  EXPECT_EQ(cut("abcd", 1), ">");
-  EXPECT_EQ(cut("abcd", 0), "");
-}
-
 TEST(Cut, NeverSplitsACharacter) {
   EXPECT_EQ(cut("地図地", 5), "地図>");
   EXPECT_EQ(cut("地図地", 4), "地>");

@@ -41,18 +41,6 @@ std::string text_of(const HealthTable& table, std::size_t width, Time now = t0,
   return text;
 }
 
-TEST(HealthTable, PutsTheGravestFirstThenSortsByName) {
-  HealthTable sut;
-  sut.add(array("drive/b", 0), 7, t0);
-  sut.add(array("drive/a", 0), 7, t0);
-  sut.add(array("drive/c", 2), 7, t0);
-  const auto rows = sut.rows(t0);
-  ASSERT_EQ(rows.size(), 3U);
-  EXPECT_EQ(rows[0].name, "drive/c");
-  EXPECT_EQ(rows[0].level, "ERROR");
-  EXPECT_EQ(rows[1].name, "drive/a");
-}
-
 TEST(HealthTable, AFaultThatDoesNotFitBesideTheFiguresHasALineOfItsOwn) {
   HealthTable sut;
   auto other_type = array("drive/odom reader", 2);
@@ -168,16 +156,6 @@ TEST(HealthTable, TextOfOthersCannotMoveTheCursor) {
   sut.add(odd, 7, t0);
   EXPECT_THAT(text_of(sut, 80), ::testing::Not(HasSubstr("\x1b")));
   EXPECT_TRUE(nlohmann::json::accept(to_json(sut.rows(t0))));
-}
-
-TEST(HealthTable, TheJsonHasTheSameRows) {
-  HealthTable sut;
-  sut.add(array("drive/a", 1), 7, t0);
-  const auto json = nlohmann::json::parse(to_json(sut.rows(t0)));
-  ASSERT_EQ(json.size(), 1U);
-  EXPECT_EQ(json[0]["name"], "drive/a");
-  EXPECT_EQ(json[0]["level"], "WARN");
-  EXPECT_EQ(json[0]["report_age_s"], 0.0);
 }
 
 }  // namespace

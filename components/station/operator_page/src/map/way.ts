@@ -155,39 +155,23 @@ function chain(before: Int32Array, goal: number): number[] {
   return cells;
 }
 
-/** A binary heap: the least first. */
+/** Cells by their rank, the least first to a tenth of a step. */
 class Queue {
-  #cells: number[] = [];
-  #ranks: number[] = [];
+  #buckets: number[][] = [];
+  #least = 0;
 
   push(cell: number, rank: number): void {
-    let at = this.#cells.length;
-    for (; at > 0; ) {
-      const parent = (at - 1) >> 1;
-      if ((this.#ranks[parent] ?? 0) <= rank) break;
-      this.#put(at, this.#cells[parent] ?? 0, this.#ranks[parent] ?? 0);
-      at = parent;
-    }
-    this.#put(at, cell, rank);
+    const bucket = Math.floor(10 * rank);
+    (this.#buckets[bucket] ??= []).push(cell);
+    this.#least = Math.min(this.#least, bucket);
   }
 
   pop(): number | undefined {
-    const [first, cell, rank] = [this.#cells[0], this.#cells.pop(), this.#ranks.pop()];
-    if (this.#cells.length === 0 || cell === undefined || rank === undefined) return first;
-    let at = 0;
-    for (let child = 1; child < this.#cells.length; child = 2 * at + 1) {
-      if ((this.#ranks[child + 1] ?? Infinity) < (this.#ranks[child] ?? Infinity)) ++child;
-      if ((this.#ranks[child] ?? Infinity) >= rank) break;
-      this.#put(at, this.#cells[child] ?? 0, this.#ranks[child] ?? 0);
-      at = child;
+    for (; this.#least < this.#buckets.length; ++this.#least) {
+      const cell = this.#buckets[this.#least]?.pop();
+      if (cell !== undefined) return cell;
     }
-    this.#put(at, cell, rank);
-    return first;
-  }
-
-  #put(at: number, cell: number, rank: number): void {
-    this.#cells[at] = cell;
-    this.#ranks[at] = rank;
+    return undefined;
   }
 }
 

@@ -58,7 +58,7 @@ export class LinkClasses {
       repaired: Number(one.repaired),
       paused: Number(one.dropped_paused),
       otherDropped: Number(
-        one.dropped_superseded + one.dropped_thinned + one.dropped_expired + one.dropped_overflow,
+        one.dropped_superseded + one.dropped_expired + one.dropped_overflow,
       ),
       waiting: one.queue_samples,
       delayMs: Number.isNaN(one.delay_s) ? undefined : one.delay_s * 1000,

@@ -33,65 +33,41 @@ export type Log = rcl_interfaces.Log;
 export type OccupancyGrid = nav_msgs.OccupancyGrid;
 export type Path = nav_msgs.Path;
 
-/** The topics that the page reads, and their messages. */
-export interface Topics {
-  location: PoseWithCovarianceStamped;
-  network_quality: NetworkQuality;
-  transmission_state: TransmissionState;
-  heartbeat: Heartbeat;
-  goal: Goal;
-  navigation_status: NavigationStatus;
-  mission_status: MissionStatus;
-  "mission/path": Path;
-  memory_usage: MemoryUsage;
-  cpu_load: CpuLoad;
-  cpu_temperature: Temperature;
-  battery_state: BatteryState;
-  "camera/image_raw/compressed": CompressedImage;
-  traffic_report: TrafficReport;
-  link_state: LinkState;
-  safety_status: SafetyStatus;
-  "emergency_stop/state": EmergencyStopState;
-  "docking/status": DockingStatus;
-  "teleop/driver": DriverState;
-  container_state: ContainerState;
-  diagnostics: DiagnosticArray;
-  rosout: Log;
-  map: OccupancyGrid;
-  plan: Path;
-}
+const of = <Message>(): Message => undefined as unknown as Message;
 
-export type Topic = keyof Topics;
-
-const everyTopic: Record<Topic, true> = {
-  location: true,
-  network_quality: true,
-  transmission_state: true,
-  heartbeat: true,
-  goal: true,
-  navigation_status: true,
-  mission_status: true,
-  "mission/path": true,
-  memory_usage: true,
-  cpu_load: true,
-  cpu_temperature: true,
-  battery_state: true,
-  "camera/image_raw/compressed": true,
-  traffic_report: true,
-  link_state: true,
-  safety_status: true,
-  "emergency_stop/state": true,
-  "docking/status": true,
-  "teleop/driver": true,
-  container_state: true,
-  diagnostics: true,
-  rosout: true,
-  map: true,
-  plan: true,
+/** The topics that the page reads, and the types of their messages. */
+const topics = {
+  location: of<PoseWithCovarianceStamped>(),
+  network_quality: of<NetworkQuality>(),
+  transmission_state: of<TransmissionState>(),
+  heartbeat: of<Heartbeat>(),
+  goal: of<Goal>(),
+  navigation_status: of<NavigationStatus>(),
+  mission_status: of<MissionStatus>(),
+  "mission/path": of<Path>(),
+  memory_usage: of<MemoryUsage>(),
+  cpu_load: of<CpuLoad>(),
+  cpu_temperature: of<Temperature>(),
+  battery_state: of<BatteryState>(),
+  "camera/image_raw/compressed": of<CompressedImage>(),
+  traffic_report: of<TrafficReport>(),
+  link_state: of<LinkState>(),
+  safety_status: of<SafetyStatus>(),
+  "emergency_stop/state": of<EmergencyStopState>(),
+  "docking/status": of<DockingStatus>(),
+  "teleop/driver": of<DriverState>(),
+  container_state: of<ContainerState>(),
+  diagnostics: of<DiagnosticArray>(),
+  rosout: of<Log>(),
+  map: of<OccupancyGrid>(),
+  plan: of<Path>(),
 };
 
+export type Topics = typeof topics;
+export type Topic = keyof Topics;
+
 export const camera = "camera/image_raw/compressed";
-export const topicsRead: ReadonlySet<string> = new Set(Object.keys(everyTopic));
+export const topicsRead: ReadonlySet<string> = new Set(Object.keys(topics));
 export const isTopicRead = (name: string): name is Topic => topicsRead.has(name);
 
 export type Role = "uxv" | "gcs";

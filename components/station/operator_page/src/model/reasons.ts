@@ -4,10 +4,8 @@
 const words: Readonly<Record<string, string>> = {
   threshold_low: "quality is below its bound",
   threshold_high: "quality is above its bound",
-  mild_alarm: "quality has been lower for long",
   cusum_alarm: "quality has fallen",
-  focus_alarm: "quality has fallen",
-  roberts_alarm: "quality has fallen",
+  detector_alarm: "quality has fallen",
   reverse_alarm: "quality has risen",
   best_so_far: "quality is the best of the pause",
   belief_bad: "the link is probably bad",

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+import type { ComponentChildren } from "preact";
+
 import { ageText, freshness } from "../model/freshness.ts";
 import type { ClassRow } from "../model/link_classes.ts";
 import type { StoredTopic } from "../model/messages.ts";
@@ -7,128 +9,102 @@ import type { TrafficRow } from "../model/traffic.ts";
 import type { Operator } from "../operator.ts";
 import { Age, Panel, count, number } from "./parts.tsx";
 
+/** A column: left out on a phone (minor), or notable in some rows. */
+type Column<Row> = readonly [
+  head: string,
+  cell: (row: Row) => ComponentChildren,
+  look?: "minor" | ((row: Row) => boolean),
+  title?: string,
+];
+
+interface TableOf<Row> {
+  readonly name: ComponentChildren;
+  readonly columns: readonly Column<Row>[];
+  readonly rows: readonly Row[];
+  readonly nameOf: (row: Row) => string;
+  /** What stands in place of rows; undefined: nothing. */
+  readonly empty?: string;
+  readonly look?: string;
+  readonly isStale?: (row: Row) => boolean;
+}
+
+function Table<Row>({ name, columns, rows, nameOf, empty, look = "", isStale }: TableOf<Row>) {
+  return (
+    <table class={look}>
+      <thead>
+        <tr>
+          <th scope="col">{name}</th>
+          {columns.map(([head, , kind, title]) => (
+            <th key={head} scope="col" class={kind === "minor" ? kind : ""} title={title}>{head}</th>
+          ))}
+        </tr>
+      </thead>
+      <tbody>
+        {rows.map((row) => (
+          <tr key={nameOf(row)} class={isStale?.(row) ? "stale" : ""}>
+            <th scope="row" title={nameOf(row)}>{nameOf(row)}</th>
+            {columns.map(([head, cell, kind]) => (
+              <td key={head} class={kind === "minor" ? kind : kind?.(row) ? "notable" : ""}>{cell(row)}</td>
+            ))}
+          </tr>
+        ))}
+        {rows.length === 0 && empty && <tr><td colSpan={columns.length + 1} class="muted">{empty}</td></tr>}
+      </tbody>
+    </table>
+  );
+}
+
+const ofClass: readonly Column<ClassRow>[] = [
+  ["a second", ({ deliveredHz }) => number(deliveredHz, 1), "minor"],
+  ["kB/s", ({ bytesPerS }) => number(bytesPerS === undefined ? undefined : bytesPerS / 1000, 1), "minor"],
+  ["delivered", ({ delivered }) => count(delivered)],
+  ["late", ({ late }) => count(late)],
+  ["lost", ({ lost }) => count(lost), ({ lost }) => lost > 0],
+  ["repaired", ({ repaired }) => count(repaired)],
+  ["paused", ({ paused }) => count(paused), ({ paused }) => paused > 0],
+  ["not sent", ({ otherDropped }) => count(otherDropped), "minor", "superseded, expired, overflow"],
+];
+
+const lostOf = ({ expired, refused }: StoredTopic): number => Number(expired + refused);
+/** Of topics of which nothing is to be lost: what did not cross is kept, and backfilled when the link has room. */
+const ofStored: readonly Column<StoredTopic>[] = [
+  ["stored", ({ stored }) => count(Number(stored))],
+  ["backfilled", ({ backfilled }) => count(Number(backfilled))],
+  ["waiting", ({ waiting }) => count(waiting), ({ waiting }) => waiting > 0],
+  ["lost", (row) => count(lostOf(row)), (row) => lostOf(row) > 0, "the log had no room for it, or not for long enough"],
+];
+
+const ofTopic: readonly Column<TrafficRow>[] = [
+  ["class", ({ trafficClass }) => trafficClass, "minor"],
+  ["a second", ({ rateHz }) => number(rateHz, 1), "minor"],
+  ["age", ({ ageMs }) => (ageMs === undefined ? "–" : ageText(ageMs))],
+  ["here of sent", ({ received, sent }) => `${count(received)} of ${count(sent)}`],
+  ["gate", ({ paused }) => (paused ? <b class="passive">PAUSED</b> : "open")],
+  ["dropped", ({ dropped }) => count(dropped), "minor"],
+];
+
 /** What crosses the link: by class as the routers count it, by topic as it comes here. */
 export function TrafficPanel({ operator, now }: { operator: Operator; now: number }) {
   const { uxv, gcs, traffic } = operator.station;
+  const nameOf = (text: string, { link }: Side) => <>{text}<Age at={link?.at} now={now} /></>;
+  const ageOf = ({ link }: Side) => freshness(link?.at, now);
+  const classes = (name: string, side: Side) => (
+    <Table name={nameOf(name, side)} look={ageOf(side)} columns={ofClass} rows={side.classes.rows()}
+      nameOf={(row) => row.name} empty="no router heard yet" />
+  );
+  const stored = (name: string, side: Side, rows = side.link?.value.stored ?? []) => rows.length > 0 && (
+    <Table name={nameOf(name, side)} look={`stored ${ageOf(side)}`} columns={ofStored} rows={rows} nameOf={({ topic }) => topic} />
+  );
   return (
     <Panel name="traffic" title="Classes and topics">
       <div class="scroll">
-        <ClassTable name="Uplink, by class" side={uxv} now={now} />
-        <ClassTable name="Downlink, by class" side={gcs} now={now} />
-        <TopicTable rows={traffic.rows(now)} />
-        <StoredTable name="Stored, from the vehicle" side={uxv} now={now} />
-        <StoredTable name="Stored, from the station" side={gcs} now={now} />
+        {classes("Uplink, by class", uxv)}
+        {classes("Downlink, by class", gcs)}
+        <Table name="From the vehicle, by topic" columns={ofTopic} rows={traffic.rows(now)} nameOf={({ topic }) => topic}
+          empty="no report yet" isStale={({ ageMs }) => ageMs === undefined || freshness(-ageMs, 0) !== "fresh"} />
+        {stored("Stored, from the vehicle", uxv)}
+        {stored("Stored, from the station", gcs)}
       </div>
     </Panel>
-  );
-}
-
-function ClassTable({ name, side, now }: { name: string; side: Side; now: number }) {
-  return (
-    <table class={freshness(side.link?.at, now)}>
-      <thead>
-        <tr>
-          <th scope="col">{name}<Age at={side.link?.at} now={now} /></th>
-          <th scope="col" class="minor">a second</th>
-          <th scope="col" class="minor">kB/s</th>
-          <th scope="col">delivered</th>
-          <th scope="col">late</th>
-          <th scope="col">lost</th>
-          <th scope="col">repaired</th>
-          <th scope="col">paused</th>
-          <th scope="col" class="minor" title="thinned, superseded, expired, overflow">not sent</th>
-        </tr>
-      </thead>
-      <tbody>
-        {side.classes.rows().map((row) => <ClassLine key={row.name} row={row} />)}
-        {side.classes.rows().length === 0 && <tr><td colSpan={9} class="muted">no router heard yet</td></tr>}
-      </tbody>
-    </table>
-  );
-}
-
-function ClassLine({ row }: { row: ClassRow }) {
-  return (
-    <tr>
-      <th scope="row">{row.name}</th>
-      <td class="minor">{number(row.deliveredHz, 1)}</td>
-      <td class="minor">{number(row.bytesPerS === undefined ? undefined : row.bytesPerS / 1000, 1)}</td>
-      <td>{count(row.delivered)}</td>
-      <td>{count(row.late)}</td>
-      <td class={row.lost > 0 ? "notable" : ""}>{count(row.lost)}</td>
-      <td>{count(row.repaired)}</td>
-      <td class={row.paused > 0 ? "notable" : ""}>{count(row.paused)}</td>
-      <td class="minor">{count(row.otherDropped)}</td>
-    </tr>
-  );
-}
-
-/** Topics of which nothing is to be lost: what did not cross is kept, and backfilled when the link has room. */
-function StoredTable({ name, side, now }: { name: string; side: Side; now: number }) {
-  const stored = side.link?.value.stored ?? [];
-  if (stored.length === 0) return null;
-  return (
-    <table class={`stored ${freshness(side.link?.at, now)}`}>
-      <thead>
-        <tr>
-          <th scope="col">{name}<Age at={side.link?.at} now={now} /></th>
-          <th scope="col">stored</th>
-          <th scope="col">backfilled</th>
-          <th scope="col">waiting</th>
-          <th scope="col" title="the log had no room for it, or not for long enough">lost</th>
-        </tr>
-      </thead>
-      <tbody>{stored.map((topic) => <StoredLine key={topic.topic} topic={topic} />)}</tbody>
-    </table>
-  );
-}
-
-function StoredLine({ topic }: { topic: StoredTopic }) {
-  const lost = Number(topic.expired + topic.refused);
-  return (
-    <tr>
-      <th scope="row" title={topic.topic}>{topic.topic}</th>
-      <td>{count(Number(topic.stored))}</td>
-      <td>{count(Number(topic.backfilled))}</td>
-      <td class={topic.waiting > 0 ? "notable" : ""}>{count(topic.waiting)}</td>
-      <td class={lost > 0 ? "notable" : ""}>{count(lost)}</td>
-    </tr>
-  );
-}
-
-function TopicTable({ rows }: { rows: readonly TrafficRow[] }) {
-  return (
-    <table>
-      <thead>
-        <tr>
-          <th scope="col">From the vehicle, by topic</th>
-          <th scope="col" class="minor">class</th>
-          <th scope="col" class="minor">a second</th>
-          <th scope="col">age</th>
-          <th scope="col">here of sent</th>
-          <th scope="col">gate</th>
-          <th scope="col" class="minor">dropped</th>
-        </tr>
-      </thead>
-      <tbody>
-        {rows.map((row) => <TopicLine key={row.topic} row={row} />)}
-        {rows.length === 0 && <tr><td colSpan={7} class="muted">no report yet</td></tr>}
-      </tbody>
-    </table>
-  );
-}
-
-function TopicLine({ row }: { row: TrafficRow }) {
-  const isOld = row.ageMs === undefined || freshness(-row.ageMs, 0) !== "fresh";
-  return (
-    <tr class={isOld ? "stale" : ""}>
-      <th scope="row" title={row.topic}>{row.topic}</th>
-      <td class="minor">{row.trafficClass}</td>
-      <td class="minor">{number(row.rateHz, 1)}</td>
-      <td>{row.ageMs === undefined ? "–" : ageText(row.ageMs)}</td>
-      <td>{count(row.received)} of {count(row.sent)}</td>
-      <td>{row.paused ? <b class="passive">PAUSED</b> : "open"}</td>
-      <td class="minor">{count(row.dropped)}</td>
-    </tr>
   );
 }

@@ -49,7 +49,7 @@ struct ServeBag {
 };
 /// What this host's recorder has written so far, for a page that is opened late.
 struct ServeTable {
-  std::string file;  ///< `location.csv`, in the host's folder of the run
+  std::string topic;  ///< of this host's recorder: `location`
 };
 /// What another policy would have decided, as JSON.
 struct AskWhatIf {

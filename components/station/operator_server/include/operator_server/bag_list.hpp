@@ -43,9 +43,6 @@ struct OpenBag {
 /// a link.
 [[nodiscard]] OpenBag open_bag(const std::string& folder, const std::string& path);
 
-/// Opens a file of the folder itself, not through a link.
-[[nodiscard]] OpenBag open_table(const std::string& folder, const std::string& name);
-
 /// Which bytes of a file are asked for.
 struct ByteRange {
   std::uint64_t first = 0;

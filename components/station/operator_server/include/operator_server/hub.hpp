@@ -97,7 +97,6 @@ class Hub {
   [[nodiscard]] std::set<std::string> heard() const;
   /// Topics that somebody has open for writing.
   [[nodiscard]] std::set<std::string> written() const;
-  [[nodiscard]] bool wants_graph() const;
   [[nodiscard]] bool wants_parameters() const;
   /// Messages that slow clients missed, since the beginning.
   [[nodiscard]] std::uint64_t drops() const { return drops_; }

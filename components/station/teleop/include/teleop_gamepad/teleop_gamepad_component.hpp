@@ -38,7 +38,6 @@ class TeleopGamepadComponent final : public TeleopComponent {
   void log_authority();
 
   const Params params_;
-  Devices& devices_;
   std::unique_ptr<GamepadDevice> pad_;
   GamepadTeleop teleop_;
   std::string logged_;  ///< of who drives

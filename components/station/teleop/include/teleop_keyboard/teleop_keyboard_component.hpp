@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "devices/terminal_device.hpp"
 #include "teleop/teleop_component.hpp"
 #include "teleop_keyboard/keyboard_teleop.hpp"
 #include "tocsin_idl/topics.hpp"

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <thread>
 
@@ -8,7 +12,7 @@
 #include "command_line/programs.hpp"
 #include "engine/run_experiment.hpp"
 #include "engine/trace_export.hpp"
-#include "page/page.hpp"
+#include "foundation/error.hpp"
 #include "report/recording.hpp"
 
 namespace tocsin::experiment {
@@ -58,6 +62,15 @@ int run(RunOptions options, bool jobs_given) {
   return options.task == Task::fit ? fit_experiment(options) : run_experiment(options);
 }
 
+/// The page is made by report/, with Debian's Python, for which bringup/packages.txt has the
+/// libraries; another one may come first in $PATH.
+int write_report(const std::string& folder) {
+  constexpr const char* python = "/usr/bin/python3";
+  const fs::path report = own_program().parent_path().parent_path() / "share/experiment/report";
+  execl(python, python, "-B", report.c_str(), folder.c_str(), nullptr);
+  throw EnvironmentError(std::string(python) + ": " + std::strerror(errno));
+}
+
 int print_trace(const std::string& folder) {
   std::fputs(trace_text(report::load_recording(folder)).c_str(), stdout);
   return 0;
@@ -81,7 +94,7 @@ int main(int argc, char** argv) {
       *app.add_subcommand("trace", "Print a recorded run's link as a trace to replay");
   trace.add_option("RUN", folder, "folder of a recorded run")->required();
   return tocsin::run_command(app, argc, argv, [&] {
-    if (report.parsed()) return write_page(folder);
+    if (report.parsed()) return write_report(folder);
     if (trace.parsed()) return print_trace(folder);
     if (fit_command.parsed()) options.task = Task::fit;
     return run(options, run_command.count("--jobs") + fit_command.count("--jobs") > 0);

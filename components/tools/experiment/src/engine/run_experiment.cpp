@@ -34,9 +34,9 @@ std::string kind_of(Task task) {
   return task == Task::fit ? "fit" : "series";
 }
 
-bool belongs_to(Task task, const std::string& kind) {
-  if (task == Task::real) return kind == "real";
-  return (task == Task::fit) == (kind == "fit");
+bool belongs_to(Task task, SetKind kind) {
+  if (task == Task::real) return kind == SetKind::real;
+  return (task == Task::fit) == (kind == SetKind::fit);
 }
 
 const std::string& made(const std::string& folder) {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "decision/costs.hpp"
-#include "decision/fit.hpp"
+#include "decision/design/costs.hpp"
+#include "decision/design/fit.hpp"
+#include "decision/design/scenario.hpp"
 #include "decision/policy.hpp"
-#include "decision/research/scenario.hpp"
 #include "foundation/error.hpp"
 #include "metrics/slot_cost.hpp"
 
@@ -102,7 +102,7 @@ class Search {
 };
 
 Tuned tune(const std::vector<Trace>& traces, PolicyParams params, const std::string& policy) {
-  params.policy = policy;
+  params.policy = value_of<decision::PolicyKind>(policy).value();
   Search search(traces, policy);
   const auto knobs = knobs_of(policy);
   if (knobs.empty()) search.try_out(params, {});

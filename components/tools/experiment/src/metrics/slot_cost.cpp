@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "decision/costs.hpp"
+#include "decision/design/costs.hpp"
 
 namespace tocsin::experiment {
 

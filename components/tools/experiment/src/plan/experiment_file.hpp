@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
+#include "foundation/enum_words.hpp"
+#include "foundation/parameters.hpp"
 #include "plan/fitted_file.hpp"
 
 namespace tocsin::experiment {
@@ -64,10 +67,16 @@ struct PolicyChoice {
   }
 };
 
+/// What runs are for.
+enum class SetKind { thesis, comparison, sensitivity, real, fit };
+inline constexpr auto words_of(SetKind) {
+  return std::array{"thesis", "comparison", "sensitivity", "real", "fit"};
+}
+
 /// Runs that belong together: every mission with every channel, payload, policy and seed.
 struct RunSet {
   std::string name;
-  std::string kind = "comparison";
+  SetKind kind = SetKind::comparison;
   std::string title;
   std::vector<std::string> missions;
   std::vector<std::string> channels;
@@ -78,8 +87,8 @@ struct RunSet {
   template <class Visitor>
   void visit(Visitor& v) {
     v("name", name, "word that names it in results");
-    v("kind", kind, {"thesis", "comparison", "sensitivity", "real", "fit"},
-      "its place in the report; fit: runs that parameters are fitted to");
+    visit_enum(v, "kind", kind, Choices{"thesis", "comparison", "sensitivity", "real", "fit"},
+               "its place in the report; fit: runs that parameters are fitted to");
     v("title", title, "heading in the report");
     v("missions", missions, "names; empty: all");
     v("channels", channels, "names; empty: all");

@@ -64,7 +64,7 @@ std::string with_earlier(const std::string& settings, const Builds& before) {
 
 std::string head() {
   std::string text = "number,set,mission,channel,payload,policy,index,seed,failure,seconds";
-  for (const MetricText& metric : metric_texts()) text += std::string(",") + metric.name;
+  for (const char* metric : words_of(Metric{})) text += std::string(",") + metric;
   return text + "\n";
 }
 

@@ -11,13 +11,6 @@ report::Arrival arrival(double sent_s, std::uint64_t sequence, const std::string
   return {sent_s, sent_s + 0.1, topic, writer, sequence, 50};
 }
 
-TEST(Messages, HaveTheirLatency) {
-  const auto sut = messages_of({arrival(1, 1)}, 0, 10);
-  ASSERT_EQ(sut.size(), 1U);
-  EXPECT_FALSE(sut[0].lost());
-  EXPECT_NEAR(sut[0].latency_s, 0.1, 1e-12);
-}
-
 TEST(Messages, ThatAreMissingLieEvenlyBetweenTheirNeighbours) {
   const auto sut = messages_of({arrival(1, 1), arrival(4, 4)}, 0, 10);
   ASSERT_EQ(sut.size(), 4U);
@@ -41,18 +34,11 @@ TEST(Messages, CountFromTheBeginUpToBeforeTheEnd) {
   EXPECT_EQ(messages_of(all, 1.5, 3.5).size(), 2U);
 }
 
-TEST(Messages, KnowPictures) {
-  EXPECT_TRUE(messages_of({arrival(1, 1, camera_topic)}, 0, 10)[0].camera);
-  EXPECT_FALSE(messages_of({arrival(1, 1, "location")}, 0, 10)[0].camera);
-}
-
 TEST(Messages, ReceivedBeforeTheyWereSentTookNoTime) {
   report::Arrival early = arrival(5, 1);
   early.received_s = 4.9;
   EXPECT_EQ(messages_of({early}, 0, 10)[0].latency_s, 0);
 }
-
-TEST(Messages, OfNothingAreNone) { EXPECT_TRUE(messages_of({}, 0, 10).empty()); }
 
 TEST(Messages, AreInTheOrderOfTopicWriterAndSequence) {
   const auto sut = messages_of({arrival(9, 2, "b", "1"), arrival(8, 1, "b", "1"),
@@ -92,13 +78,6 @@ TEST(Messages, OfARestartedWriterBeginAnew) {
   const auto sut =
       messages_of({arrival(1, 50, "t", "first life"), arrival(3, 1, "t", "second life")}, 0, 10);
   EXPECT_EQ(sut.size(), 2U);
-}
-
-TEST(Messages, LostOfTheCameraAreItsOwn) {
-  const auto sut = messages_of({arrival(1, 1, camera_topic), arrival(3, 3, camera_topic)}, 0, 10);
-  ASSERT_EQ(sut.size(), 3U);
-  EXPECT_TRUE(sut[1].lost());
-  EXPECT_TRUE(sut[1].camera);
 }
 
 }  // namespace

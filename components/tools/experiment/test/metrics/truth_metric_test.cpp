@@ -109,14 +109,6 @@ TEST(SlotMetrics, CostOnePerPoorSlotSpokenIn) {
   EXPECT_NEAR(sut.value(Metric::slot_regret), 100 * (3 - 1.3), 1e-6);
 }
 
-TEST(SlotMetrics, CostHalfPerGoodSlotInSilence) {
-  const auto sut =
-      Hand().link({{0, 20}}).decides(0, true, 80).decides(40, false, 30).decides(70, true, 80);
-  EXPECT_NEAR(sut.value(Metric::slot_cost), 100 * (3 * 0.5 + 2 * 0.5), 1e-6);
-  EXPECT_NEAR(sut.value(Metric::slot_regret), sut.value(Metric::slot_cost), 1e-6)
-      << "he never falls silent";
-}
-
 TEST(MissionMetrics, AreOfAMissionThatWasDone) {
   EXPECT_EQ(Hand().done_after(71.5).value(Metric::completion), 71.5);
   EXPECT_EQ(Hand().done_after(71.5).value(Metric::completed), 1);

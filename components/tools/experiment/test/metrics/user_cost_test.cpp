@@ -15,15 +15,6 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 /// A link that nobody notices.
 constexpr UserFigures perfect{0, 0, 0, 0, 100, 0, 0, 0};
 
-TEST(LatePercent, CountsLostOnesAndThoseBeyondTheLimit) {
-  const std::vector<Message> messages{
-      {0, 0.1, false}, {1, 0.25, false}, {2, 0.26, false}, {3, none, false}};
-  EXPECT_DOUBLE_EQ(late_percent(messages, 0.25), 50);
-  EXPECT_DOUBLE_EQ(late_percent(messages, 0.05), 100);
-  EXPECT_DOUBLE_EQ(late_percent(messages, 1), 25);
-  EXPECT_TRUE(std::isnan(late_percent({}, 1)));
-}
-
 TEST(UserCost, IsZeroForALinkThatNobodyNotices) { EXPECT_EQ(user_cost(perfect, CostWeights{}), 0); }
 
 TEST(UserCost, TakesEachFigureByItsWeight) {
@@ -61,18 +52,6 @@ TEST(UserCost, IsUnknownWhenNothingIsKnownOfClassCritical) {
   UserFigures figures = perfect;
   figures.critical_late = none;
   EXPECT_TRUE(std::isnan(user_cost(figures, CostWeights{})));
-}
-
-TEST(UserCost, PrefersSilenceOnlyWhereItSparesTheOthersEnough) {
-  // Ten percent of class low kept back are worth one percent of class critical in time.
-  const CostWeights weights;
-  UserFigures silent = perfect;
-  silent.low_delivered = 90;
-  UserFigures late = perfect;
-  late.critical_late = 1.1;
-  EXPECT_LT(user_cost(silent, weights), user_cost(late, weights));
-  late.critical_late = 0.9;
-  EXPECT_GT(user_cost(silent, weights), user_cost(late, weights));
 }
 
 }  // namespace

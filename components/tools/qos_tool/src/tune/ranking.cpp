@@ -73,21 +73,8 @@ bool is_shipped(const RankedCandidate& one) { return one.candidate.settings.empt
 
 /// "better", "worse", or what the runs do not tell.
 std::string verdict_of(const RankedCandidate& one) {
-  if (is_shipped(one)) return "";
   if (one.difference.high < 0) return "better";
   return one.difference.low > 0 ? "worse" : "not told apart";
-}
-
-/// Whether two candidates came out the same in every run: what tells them apart had no effect.
-bool is_same(const RankedCandidate& a, const RankedCandidate& b) {
-  return a.runs == b.runs && a.cost == b.cost && a.difference.mean == b.difference.mean &&
-         a.picture_p99 == b.picture_p99 && a.location_age_p99 == b.location_age_p99;
-}
-
-/// In brackets behind the settings of a line, which has the one before it.
-std::string remark_of(const RankedCandidate& one, const RankedCandidate* before) {
-  if (before != nullptr && is_same(*before, one)) return " (as the line before)";
-  return is_shipped(one) ? "" : " (" + verdict_of(one) + ")";
 }
 
 /// [1] of the shipped cost: what is less is no reason to change.
@@ -127,7 +114,7 @@ std::string without_better(const std::vector<RankedCandidate>& ranked) {
 
 std::string conclusion_of(const std::vector<RankedCandidate>& ranked) {
   const auto best = std::find_if(ranked.begin(), ranked.end(), [](const RankedCandidate& one) {
-    return verdict_of(one) == "better";
+    return !is_shipped(one) && verdict_of(one) == "better";
   });
   if (best == ranked.end()) return without_better(ranked);
   return fmt::format(
@@ -176,7 +163,6 @@ std::string ranking_text(const std::vector<RankedCandidate>& ranked) {
                                  "high", "low", "location", "picture", "settings");
   text += fmt::format("{:<8} {:>5} {:>7} {:>24} {:>9} {:>7} {:>9} {:>9} {:>8}\n", "", "", "", "",
                       "late %", "late %", "deliv. %", "age s", "p99 ms");
-  const RankedCandidate* before = nullptr;
   for (const RankedCandidate& one : ranked) {
     const std::string difference =
         is_shipped(one) ? ""
@@ -186,24 +172,9 @@ std::string ranking_text(const std::vector<RankedCandidate>& ranked) {
         "{:<8} {:>5} {:>7.2f} {:>24} {:>9.2f} {:>7.2f} {:>9.1f} {:>9.3f} {:>8.0f}  {}{}\n",
         one.candidate.name, one.runs, one.cost, difference, one.critical_late, one.high_late,
         one.low_delivered, one.location_age_p99, one.picture_p99, settings_text(one.candidate),
-        remark_of(one, before));
-    before = &one;
+        is_shipped(one) ? "" : " (" + verdict_of(one) + ")");
   }
   return text + conclusion_of(ranked);
-}
-
-std::string ranking_csv(const std::vector<RankedCandidate>& ranked) {
-  std::string text =
-      "name,runs,cost,minus_shipped,low,high,critical_late,high_late,low_delivered,"
-      "location_age_p99,picture_p99,settings\n";
-  for (const RankedCandidate& one : ranked) {
-    text +=
-        fmt::format("{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},\"{}\"\n",
-                    one.candidate.name, one.runs, one.cost, one.difference.mean, one.difference.low,
-                    one.difference.high, one.critical_late, one.high_late, one.low_delivered,
-                    one.location_age_p99, one.picture_p99, settings_text(one.candidate));
-  }
-  return text;
 }
 
 }  // namespace tocsin::qos_tool

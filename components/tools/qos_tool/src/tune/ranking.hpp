@@ -34,14 +34,11 @@ struct RankedCandidate {
   double picture_p99;       ///< [ms]
 };
 
-/// The candidates by their mean cost, the least first, of a `runs.csv` or `real.csv` of `tocsin
-/// experiment`. Those without a run that ended well are left out.
+/// The candidates by their mean cost, the least first, of a `runs.csv` of `tocsin experiment`.
+/// Those without a run that ended well are left out.
 [[nodiscard]] std::vector<RankedCandidate> rank(const CsvTable& runs,
                                                 const std::vector<Candidate>& candidates);
 
 /// A table for people, and a sentence that says what follows from it.
 [[nodiscard]] std::string ranking_text(const std::vector<RankedCandidate>& ranked);
-/// The same for programs.
-[[nodiscard]] std::string ranking_csv(const std::vector<RankedCandidate>& ranked);
-
 }  // namespace tocsin::qos_tool

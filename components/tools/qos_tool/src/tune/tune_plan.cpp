@@ -22,8 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_candidates = 200;
-const std::set<std::string> own_keys{"policy", "qos",   "traffic",   "seeds",
-                                     "best",   "sweep", "real_seeds"};
+const std::set<std::string> own_keys{"policy", "qos", "traffic", "seeds", "sweep"};
 
 /// A setting's key, cut at its dots: `qos.stream.lifespan_s`, `class.uxv.camera/image_raw`.
 struct SweepKey {
@@ -227,8 +226,7 @@ std::string traffic_text(const TunePlan& plan, const Candidate& candidate) {
   return text;
 }
 
-std::string experiment_text(const TunePlan& plan, const std::vector<Candidate>& candidates,
-                            RunKind kind) {
+std::string experiment_text(const TunePlan& plan, const std::vector<Candidate>& candidates) {
   YAML::Node file = YAML::Clone(plan.experiment);
   for (const Candidate& candidate : candidates) {
     YAML::Node choice;
@@ -248,8 +246,7 @@ std::string experiment_text(const TunePlan& plan, const std::vector<Candidate>& 
   YAML::Node set;
   set["name"] = "tune";
   set["title"] = "Candidates of " + fs::path(plan.path).filename().string();
-  if (kind == RunKind::real) set["kind"] = "real";
-  set["seeds"] = kind == RunKind::real ? plan.params.real_seeds : plan.params.seeds;
+  set["seeds"] = plan.params.seeds;
   file["sets"].push_back(set);
   return YAML::Dump(file) + "\n";
 }

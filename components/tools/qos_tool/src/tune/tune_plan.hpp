@@ -24,16 +24,12 @@ struct TunePlan {
     std::string qos;
     std::string traffic;
     int seeds = 20;
-    int real_seeds = 0;
-    int best = 3;
     template <class Visitor>
     void visit(Visitor& v) {
       v("policy", policy, "policy of the transmission controller, the same for all");
       v("qos", qos, "QoS file, relative to this one, that the sweep starts from; empty: shipped");
       v("traffic", traffic, "traffic file that it starts from; empty: the shipped one");
       v("seeds", seeds, {2, 1000}, "[1] simulated runs of each candidate, mission and channel");
-      v("real_seeds", real_seeds, {0, 100}, "[1] runs of the best on the real stack; 0: none");
-      v("best", best, {1, 20}, "[1] candidates that are run on the real stack beside the shipped");
     }
   };
   std::string path;       ///< of the file
@@ -66,8 +62,7 @@ struct Candidate {
 
 /// Runs of the candidates as an experiment file, which names `NAME.qos.yaml` and
 /// `NAME.traffic.yaml` beside it where there are such texts.
-enum class RunKind { simulated, real };
 [[nodiscard]] std::string experiment_text(const TunePlan& plan,
-                                          const std::vector<Candidate>& candidates, RunKind kind);
+                                          const std::vector<Candidate>& candidates);
 
 }  // namespace tocsin::qos_tool

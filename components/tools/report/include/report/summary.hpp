@@ -15,7 +15,7 @@ struct Traffic {
   std::uint64_t received = 0;    ///< live
   std::uint64_t backfilled = 0;  ///< later, and not live
   std::uint64_t lost = 0;        ///< sent, but neither came live nor was backfilled
-  Spread latency_s{};            ///< from write to acknowledgement, live
+  Spread latency_s{};            ///< from write to reception, live
   Spread age_s{};                ///< of the newest sample at the receiver, over time, live
   double bytes_per_s = 0;        ///< received live
   /// [%] of those sent; NaN when nothing was.

@@ -13,10 +13,11 @@ namespace {
 template <class Make>
 void probe(Node node, const deployment::Deployment& deployment, BuiltGraph& built, Make make) {
   PortRecorder recorder;
-  SilentDevices devices;
+  Computer silent;  // opens no port, sends no packet
+  silent.devices = Devices(Devices::Unknown::silent);
   Context context = Context(recorder, node.name, node.role)
                         .with_run_dir(deployment.run_dir)
-                        .with_devices(devices);
+                        .with_computer(silent);
   try {
     const auto component = make(context);
     node.ports = recorder.ports();

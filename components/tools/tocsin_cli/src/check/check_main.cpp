@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
-#include <fstream>
 #include <map>
 
 #include "build_graph.hpp"
@@ -12,7 +11,6 @@
 #include "dot.hpp"
 #include "examine.hpp"
 #include "examine_domains.hpp"
-#include "examine_load.hpp"
 #include "examine_programs.hpp"
 #include "examine_routers.hpp"
 #include "examine_security.hpp"
@@ -27,7 +25,6 @@ namespace {
 
 struct Options {
   BringupOptions bringup;
-  std::string dot;
   std::string svg;
   bool all = false;
   bool quiet = false;
@@ -36,8 +33,7 @@ struct Options {
 
 void declare(CLI::App& app, Options& options) {
   options.bringup.declare(app);
-  app.add_option("--dot", options.dot, "write a picture of the graph for Graphviz to this file");
-  app.add_option("--svg", options.svg, "write the picture itself to this file");
+  app.add_option("--svg", options.svg, "draw components and topics to this file (needs graphviz)");
   app.add_flag("--all", options.all,
                "show notes, and draw recorders, views and unread topics, too");
   app.add_flag("--quiet", options.quiet, "print errors only");
@@ -72,11 +68,6 @@ void examine_files(const deployment::Deployment& deployment, BuiltGraph& built) 
       // A component that could not be built leaves its readers and writers alone.
       if (whole || finding.severity == Severity::error) built.findings.push_back(finding);
     }
-    const auto place = poor_place_of(deployment);
-    if (!place) return;
-    for (Finding& one : examine_load(built.graph, qos, traffic, *place)) {
-      built.findings.push_back(std::move(one));
-    }
   } catch (const ConfigError& error) {
     built.findings.push_back({Severity::error, error.what()});
   }
@@ -90,19 +81,6 @@ std::size_t print(const std::vector<Finding>& findings, Severity severity, const
     ++count;
   }
   return count;
-}
-
-void write(const std::string& path, const std::string& text) {
-  std::ofstream file(path);
-  file << text;
-  file.close();
-  if (!file) throw EnvironmentError(path + ": cannot be written");
-}
-
-void draw(const Graph& graph, const Options& options) {
-  const std::string dot = to_dot(graph, options.all);
-  if (!options.dot.empty()) write(options.dot, dot);
-  if (!options.svg.empty()) draw_svg(dot, options.svg);
 }
 
 int check(Options& options) {
@@ -122,7 +100,7 @@ int check(Options& options) {
   const std::size_t warnings =
       options.quiet ? 0 : print(built.findings, Severity::warning, "warning");
   if (options.all) (void)print(built.findings, Severity::note, "note");
-  draw(built.graph, options);
+  if (!options.svg.empty()) draw_svg(to_dot(built.graph, options.all), options.svg);
   if (!options.quiet) {
     std::printf("%s: %zu components; %zu errors, %zu warnings\n", options.bringup.file.c_str(),
                 built.graph.size(), errors, warnings);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,9 +17,8 @@ struct Port {
   std::string qos;   ///< profile
   Scope scope = Scope::host;
   bool writes = false;
-  Requests requests = Requests::profile;            ///< of a reader
-  Writers writers = Writers::needed;                ///< of a reader
-  std::optional<ExpectedLoad> load = std::nullopt;  ///< of a writer that tells
+  Requests requests = Requests::profile;  ///< of a reader
+  Writers writers = Writers::needed;      ///< of a reader
 };
 
 /// One component of a deployment with its ports.

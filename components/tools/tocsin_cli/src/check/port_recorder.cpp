@@ -9,35 +9,12 @@ namespace {
 
 struct Silent : Subscription {};
 
-/// Nobody hears it; only what it expects to write is kept.
+/// Nobody hears it.
 class NullPublication final : public Publication {
  public:
-  NullPublication(PortRecorder& recorder, std::string topic)
-      : recorder_(recorder), topic_(std::move(topic)) {}
   Status write(const std::shared_ptr<const void>& message) override {
     (void)message;
     return Status::ok;
-  }
-  void expect(const std::function<ExpectedLoad()>& load) override {
-    recorder_.expect(topic_, load());
-  }
-
- private:
-  PortRecorder& recorder_;
-  const std::string topic_;
-};
-
-class SilentLine final : public SerialDevice {
- public:
-  std::optional<std::size_t> read(std::uint8_t* to, std::size_t size) override {
-    (void)to;
-    (void)size;
-    return 0;
-  }
-  bool write(const std::uint8_t* bytes, std::size_t size) override {
-    (void)bytes;
-    (void)size;
-    return true;
   }
 };
 
@@ -52,17 +29,11 @@ void PortRecorder::record(const Endpoint& endpoint, bool writes) {
   const auto known = std::find_if(ports_.begin(), ports_.end(), same);
   if (known == ports_.end()) {
     ports_.push_back({topic.name, endpoint.type->name, topic.qos, topic.scope, writes,
-                      topic.requests, endpoint.writers, std::nullopt});
+                      topic.requests, endpoint.writers});
     return;
   }
   if (endpoint.writers == Writers::needed) known->writers = Writers::needed;
   if (topic.requests == Requests::profile) known->requests = Requests::profile;
-}
-
-void PortRecorder::expect(const std::string& topic, const ExpectedLoad& load) {
-  for (Port& port : ports_) {
-    if (port.topic == topic && port.writes) port.load = load;
-  }
 }
 
 std::unique_ptr<Subscription> PortRecorder::subscribe(const Endpoint& endpoint,
@@ -74,13 +45,7 @@ std::unique_ptr<Subscription> PortRecorder::subscribe(const Endpoint& endpoint,
 
 std::unique_ptr<Publication> PortRecorder::advertise(const Endpoint& endpoint) {
   record(endpoint, true);
-  return std::make_unique<NullPublication>(*this, endpoint.topic.name);
-}
-
-OpenedSerial SilentDevices::open_serial(const std::string& path, Readable readable) {
-  (void)path;
-  (void)readable;
-  return {OpenedSerial::Result::open, std::make_unique<SilentLine>(), {}, false};
+  return std::make_unique<NullPublication>();
 }
 
 }  // namespace tocsin::check

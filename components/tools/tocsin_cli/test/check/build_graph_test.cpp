@@ -35,13 +35,5 @@ TEST(BuildGraph, EachComponentThatCannotBeBuiltIsAnErrorOfItsOwn) {
   EXPECT_THAT(sut.findings[3].text, StartsWith("gcs/drive/copilot: "));
 }
 
-TEST(BuildGraph, ADeploymentWithoutComponentsHasNoNodes) {
-  deployment::Deployment deployment;
-  deployment.hosts.emplace_back().name = "uxv";
-  const BuiltGraph sut = build_graph(deployment);
-  EXPECT_TRUE(sut.graph.empty());
-  EXPECT_TRUE(sut.findings.empty());
-}
-
 }  // namespace
 }  // namespace tocsin::check

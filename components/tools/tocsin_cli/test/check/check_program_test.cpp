@@ -82,13 +82,5 @@ TEST_F(CheckProgram, WhatItIsToldWrongIsCodeTwoAndNothingElseIsPrinted) {
   EXPECT_THAT(ended.output, AllOf(HasSubstr("navigator"), Not(HasSubstr("0 errors"))));
 }
 
-TEST_F(CheckProgram, WritesThePictureForGraphviz) {
-  EXPECT_EQ(check({"good.yaml", "--dot", "graph.dot"}).code, 0);
-  EXPECT_THAT(folder_.read("graph.dot"), StartsWith("digraph deployment {"));
-  const Ended ended = check({"good.yaml", "--dot", "no/such/folder/graph.dot"});
-  EXPECT_EQ(ended.code, 1);
-  EXPECT_THAT(ended.output, HasSubstr("no/such/folder/graph.dot: cannot be written"));
-}
-
 }  // namespace
 }  // namespace tocsin::check

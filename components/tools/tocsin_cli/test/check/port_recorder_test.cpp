@@ -13,9 +13,6 @@ class Toy : public Component {
  public:
   explicit Toy(Context& context) : Component(context) {}
   void tick(Time now) override { (void)now; }
-  void expect(double rate_hz, double bytes) {
-    location_.expect([=] { return ExpectedLoad{rate_hz, bytes}; });
-  }
 
  private:
   Input<topic::Odom> odom_{*this};
@@ -34,18 +31,6 @@ TEST(PortRecorder, WritesDownEachPortOnce) {
   EXPECT_EQ(sut.ports()[1].topic, "location");
   EXPECT_TRUE(sut.ports()[1].writes);
   EXPECT_EQ(sut.ports()[1].scope, Scope::link);
-}
-
-TEST(PortRecorder, KeepsWhatAWriterExpectsToWrite) {
-  PortRecorder sut;
-  Context context{sut, "toy", Role::uxv};
-  Toy toy(context);
-  EXPECT_FALSE(sut.ports()[1].load);
-  toy.expect(5, 400);
-  ASSERT_TRUE(sut.ports()[1].load);
-  EXPECT_EQ(sut.ports()[1].load->rate_hz, 5);
-  EXPECT_EQ(sut.ports()[1].load->bytes, 400);
-  EXPECT_FALSE(sut.ports()[0].load);
 }
 
 class Choosy : public Component {

@@ -3,8 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "command_line/run_to_end.hpp"
 #include "foundation/temporary_folder.hpp"
 #include "keystore/enclave.hpp"
@@ -12,8 +10,6 @@
 namespace tocsin::keystore_tool {
 namespace {
 
-namespace fs = std::filesystem;
-using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 
@@ -43,17 +39,6 @@ TEST_F(KeystoreProgram, TheCommandsOfTheReadmeMakeIdentitiesInAFolderCalledKeyst
   const auto gcs = keystore::read_enclave(path("keystore/enclaves/gcs")).permissions;
   ASSERT_TRUE(gcs);
   EXPECT_THAT(gcs->publish, Contains("rt/goal"));
-}
-
-TEST_F(KeystoreProgram, ACheckThatFindsSomethingEndsWithOne) {
-  (void)run({"create"});
-  (void)run({"add", "uxv1"});
-  fs::permissions(path("keystore/enclaves/uxv1/key.pem"), fs::perms::others_read,
-                  fs::perm_options::add);
-  const Ended ended = run({"check"});
-  EXPECT_EQ(ended.code, 1);
-  EXPECT_THAT(ended.output, AllOf(HasSubstr("key.pem: can be read by others"),
-                                  HasSubstr("1 identities looked at, problems above")));
 }
 
 TEST_F(KeystoreProgram, MistakesEndWithTwoAndOneLine) {

@@ -9,19 +9,6 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// Stands in for link_emulator: gives each namespace a wlan0 with the address of its --end.
-const std::string toy_emulator = R"(
-while [ $# -gt 0 ]; do
-  if [ "$1" = --end ]; then
-    ns=${2#*:}; address=${ns##*:}; ns=${ns%:*}
-    nsenter --net=$ns sh -c "ip link add wlan0 type veth peer name far; ip addr add $address dev wlan0;
-      ip link set far up; ip link set wlan0 up" || exit 1
-  fi
-  shift
-done
-exec sleep 1000
-)";
-
 /// Makes the user own the folder and its files.
 void give(const std::filesystem::path& folder, unsigned user) {
   EXPECT_EQ(::chown(folder.c_str(), user, user), 0);

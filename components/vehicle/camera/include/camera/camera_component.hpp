@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -9,12 +10,18 @@
 #include "camera/adaptive_stream.hpp"
 #include "camera/picture_size.hpp"
 #include "camera/renderer.hpp"
+#include "foundation/enum_words.hpp"
+#include "foundation/parameters.hpp"
 #include "geometry/wall.hpp"
 #include "runtime/component.hpp"
 #include "runtime/port.hpp"
 #include "tocsin_idl/topics.hpp"
 
 namespace tocsin {
+
+/// What pictures are where nobody can look at them.
+enum class Pictures { sized, drawn };
+constexpr std::array<const char*, 2> words_of(Pictures) { return {"sized", "drawn"}; }
 
 /// A simulated camera: pictures of the map from where the vehicle reports to be. In simulated time,
 /// where drawing would take most of the computing, pictures are zeros, as many as the JPEG had. It
@@ -26,7 +33,7 @@ class CameraComponent final : public Component {
     double rate_hz = 8;
     int quality = 65;
     double pose_timeout_s = 2;
-    std::string in_simulated_time = "sized";
+    Pictures in_simulated_time = Pictures::sized;
     camera::CameraParams camera;
 
     template <class Visitor>
@@ -35,8 +42,8 @@ class CameraComponent final : public Component {
       v("rate_hz", rate_hz, {0.1, 30}, "[1/s] pictures");
       v("quality", quality, {1, 100}, "[1] of the JPEG; sets the size of a picture");
       v("pose_timeout_s", pose_timeout_s, {0.1, 60}, "[s] no picture from an older location");
-      v("in_simulated_time", in_simulated_time, {"sized", "drawn"},
-        "sized: zeros of the right number, which is 100 times faster");
+      visit_enum(v, "in_simulated_time", in_simulated_time, Choices{"sized", "drawn"},
+                 "sized: zeros of the right number, which is 100 times faster");
       camera.visit(v);
     }
   };
@@ -46,7 +53,6 @@ class CameraComponent final : public Component {
   void tick(Time now) override;
 
  private:
-  [[nodiscard]] double expected_bytes() const;
   void take_location(Time now);
   void take_budget(Time now);
   void publish(double size, Time now);

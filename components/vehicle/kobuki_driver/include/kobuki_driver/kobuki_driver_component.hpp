@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "devices/devices.hpp"
+#include "devices/serial_device.hpp"
 #include "emergency_stop_input/emergency_stop_input.hpp"
 #include "emergency_stop_input/stop_file.hpp"
 #include "kobuki_driver/base_topics.hpp"
@@ -77,7 +77,6 @@ class KobukiDriverComponent final : public Component {
   Params params_;
   FrameTopics frame_topics_;
   std::optional<SerialTopics> serial_topics_;
-  Devices& devices_;
   kobuki::KobukiDriver driver_;
   const kobuki::KobukiDriver::ByteSink to_port_ = [this](kobuki::ByteView bytes) { send(bytes); };
   kobuki::OdometryFile file_;

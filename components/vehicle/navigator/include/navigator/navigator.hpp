@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "foundation/enum_words.hpp"
+#include "foundation/parameters.hpp"
 #include "foundation/time.hpp"
 #include "geometry/pose.hpp"
 #include "geometry/twist.hpp"
@@ -16,6 +19,10 @@
 #include "navigator/goal_list.hpp"
 
 namespace tocsin {
+
+/// What the vehicle does about its goal while the ground station is not heard.
+enum class OnLinkLost { carry_on, hold, go_home };
+constexpr std::array<const char*, 3> words_of(OnLinkLost) { return {"continue", "hold", "return"}; }
 
 /// Drives the vehicle to one goal at a time, on to the next one that it knows, and says what it
 /// does about it.
@@ -28,7 +35,7 @@ class Navigator {
     navigation::InflationParams inflation;
     navigation::FollowerParams follower;
     double pose_timeout_s = 0.5;
-    std::string on_link_lost = "hold";
+    OnLinkLost on_link_lost = OnLinkLost::hold;
     double link_lost_after_s = 30;
     double stuck_after_s = 4;
     double retry_after_s = 3;
@@ -40,8 +47,8 @@ class Navigator {
       inflation.visit(v);
       follower.visit(v);
       v("pose_timeout_s", pose_timeout_s, {0.05, 10}, "[s] older poses stop the vehicle");
-      v("on_link_lost", on_link_lost, {"continue", "hold", "return"},
-        "what to do about the goal while the ground station is not heard");
+      visit_enum(v, "on_link_lost", on_link_lost, Choices{"continue", "hold", "return"},
+                 "what to do about the goal while the ground station is not heard");
       live(v)("link_lost_after_s", link_lost_after_s, {0.5, 3600},
               "[s] longer silence is a lost link");
       v("stuck_after_s", stuck_after_s, {0.5, 60}, "[s] without moving: back up, plan again");

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "devices/devices.hpp"
+#include "devices/echo_device.hpp"
 #include "foundation/traffic_class.hpp"
 #include "network_monitor/probe_window.hpp"
 #include "network_monitor/wireless_trend.hpp"
@@ -28,7 +28,8 @@ class NetworkMonitorComponent final : public Component {
 
     template <class Visitor>
     void visit(Visitor& v) {
-      v("target", target, "IPv4 address to probe: the access point, or the other side; required");
+      v("target", target,
+        "IPv4 address to probe; in a bringup file the first peer of its host, unless it is set");
       v("payload_bytes", payload_bytes, {8, 1400}, "[byte] payload of a probe, as of ping -s");
       v("dscp", dscp, {0, 63},
         "[1] DSCP of probes: class low's, so that the PER is what class low meets");

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "devices/devices.hpp"
+#include "devices/device_files.hpp"
 
 namespace tocsin::telemetry {
 
@@ -26,7 +26,7 @@ struct Thermometer {
 
 /// All thermometers below /sys/class/thermal and /sys/class/hwmon (or folders of the same form).
 /// A missing folder has none.
-[[nodiscard]] std::vector<Thermometer> list_thermometers(Devices& devices,
+[[nodiscard]] std::vector<Thermometer> list_thermometers(DeviceFiles& files,
                                                          const std::string& thermal_dir,
                                                          const std::string& hwmon_dir);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -40,13 +41,13 @@ class TelemetryComponent final : public Component {
   void report_memory(Time now);
   void report_load(Time now);
   void report_temperature(Time now);
-  [[nodiscard]] std::optional<std::string> read(const std::string& path) const;
   void say_once(const std::string& text);
 
   Output<topic::MemoryUsage> memory_{*this};
   Output<topic::CpuLoad> load_{*this};
   Output<topic::CpuTemperature> temperature_{*this};
   Params params_;
+  std::unique_ptr<DeviceFiles> files_;
   telemetry::CpuLoadMeter meter_;
   std::optional<telemetry::Thermometer> thermometer_;
   std::set<std::string> said_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,9 +10,11 @@
 #include "foundation/role.hpp"
 #include "runtime/bus.hpp"
 #include "runtime/middleware/link_bus.hpp"
-#include "runtime/middleware/ros_graph.hpp"
 
 namespace tocsin {
+
+/// How many bytes of a gid are sent: 24 in Humble and before, the last 8 zero; 16 since Iron.
+enum class GidSize { bytes_16, bytes_24 };
 
 /// What one process needs to join the DDS domain of its host, and a router that of the link.
 struct BusOptions {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -9,12 +10,31 @@
 #include <vector>
 
 #include "foundation/time.hpp"
+#include "runtime/detail/services.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
 #include "runtime/middleware/qos_policies.hpp"
-#include "runtime/middleware/ros_graph.hpp"
-#include "runtime/middleware/services.hpp"
 
 namespace tocsin {
+
+/// The bytes of a GUID: 12 of its participant, 4 of the endpoint.
+using Gid = std::array<std::uint8_t, 16>;
+
+/// "01.0f.4c..." as `ros2 topic info -v` shows it.
+[[nodiscard]] std::string text_of(const Gid& gid);
+
+/// A node and the ends that it has.
+struct GraphNode {
+  std::string ros_namespace;  ///< "/" or "/name"
+  std::string name;
+  std::vector<Gid> readers = {};
+  std::vector<Gid> writers = {};
+
+  /// "/name" or "/namespace/name".
+  [[nodiscard]] std::string path() const {
+    return (ros_namespace == "/" ? "" : ros_namespace) + "/" + name;
+  }
+};
+[[nodiscard]] bool operator==(const GraphNode& one, const GraphNode& other);
 
 /// One end of a topic that a participant of a host has announced.
 struct GraphEnd {
@@ -94,8 +114,5 @@ class HostGraph {
 
 /// Throws EnvironmentError when the participant cannot be created.
 [[nodiscard]] std::unique_ptr<HostGraph> make_host_graph(const BusOptions& options);
-/// Of the domain that a bus has joined, by a participant of its own, which hears the bus, too.
-/// Null: the bus is on none, as those of tests and simulation. Throws like make_host_graph.
-[[nodiscard]] std::unique_ptr<HostGraph> open_host_graph(const Bus& bus);
 
 }  // namespace tocsin

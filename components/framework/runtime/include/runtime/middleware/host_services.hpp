@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "runtime/middleware/services.hpp"
+#include "runtime/detail/services.hpp"
 
 namespace tocsin {
 

@@ -3,10 +3,12 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -31,7 +33,13 @@ struct Flow {
   std::string user_data;  ///< announced with them, such as the layout of the type
   bool stored = false;    ///< on the link: what does not cross at first is backfilled later
 };
-[[nodiscard]] bool operator==(const Flow& one, const Flow& other);
+[[nodiscard]] inline bool operator==(const Flow& one, const Flow& other) {
+  const auto all = [](const Flow& flow) {
+    return std::tie(flow.topic, flow.type, flow.reliable, flow.transient_local, flow.depth,
+                    flow.lifespan_s, flow.user_data, flow.stored);
+  };
+  return all(one) == all(other);
+}
 [[nodiscard]] inline bool operator!=(const Flow& one, const Flow& other) { return !(one == other); }
 
 /// A sample on its way between the host and the link, of any type.
@@ -162,6 +170,15 @@ class LinkBus {
   /// The topics of this host that cross, and how.
   [[nodiscard]] virtual const TrafficRules& rules() const = 0;
   [[nodiscard]] virtual LinkPackets packets() const = 0;
+};
+
+/// What a bus has whose process is the router of its host.
+class LinkAccess {
+ public:
+  virtual ~LinkAccess() = default;
+  /// Once at a time. `on_event` is called, by any thread, when LinkBus::take has something.
+  [[nodiscard]] virtual std::unique_ptr<LinkBus> open_link(
+      const std::function<void()>& on_event) = 0;
 };
 
 }  // namespace tocsin

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "runtime/bus.hpp"
-#include "runtime/middleware/instance_table.hpp"
+#include "runtime/detail/instance_table.hpp"
 #include "runtime/middleware/qos_policies.hpp"
 #include "runtime/middleware/thinning.hpp"
 

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "transport/guarded_transport.hpp"
+
+#include <arpa/inet.h>
+#include <fastdds/rtps/transport/ChainingTransport.h>
+#include <fastdds/rtps/transport/ChainingTransportDescriptor.h>
+#include <fastrtps/utils/IPLocator.h>
+
+#include <chrono>
+#include <optional>
+
+#include "fast_dds_v2/key_onlys.hpp"
+#include "transport/host_multicast.hpp"
+#include "transport/packet_filter.hpp"
+#include "transport/receptions.hpp"
+
+namespace tocsin {
+namespace {
+
+namespace rtps = eprosima::fastrtps::rtps;
+using namespace eprosima::fastdds::rtps;
+using rtps::IPLocator;
+
+struct GuardedDescriptor : ChainingTransportDescriptor {
+  explicit GuardedDescriptor(GuardedTransportParts its_parts)
+      : ChainingTransportDescriptor(its_parts.udp), parts(std::move(its_parts)) {
+    if (parts.side) maxMessageSize = parts.side->message_bytes();
+  }
+  [[nodiscard]] TransportInterface* create_transport() const override;
+  [[nodiscard]] std::uint32_t max_message_size() const override { return maxMessageSize; }
+  GuardedTransportParts parts;
+};
+
+rtps::Locator_t locator_of(const sockaddr_in& address) {
+  rtps::Locator_t locator;
+  locator.kind = LOCATOR_KIND_UDPv4;
+  IPLocator::setIPv4(locator, reinterpret_cast<const rtps::octet*>(&address.sin_addr));
+  locator.port = ntohs(address.sin_port);
+  return locator;
+}
+
+/// Receives through the chain, and sends without it.
+class GuardedTransport : public ChainingTransport {
+ public:
+  explicit GuardedTransport(GuardedDescriptor descriptor)
+      : ChainingTransport(descriptor), descriptor_(std::move(descriptor)) {}
+
+  [[nodiscard]] TransportDescriptorInterface* get_configuration() override { return &descriptor_; }
+  bool OpenInputChannel(const rtps::Locator_t& at, TransportReceiverInterface* receiver,
+                        std::uint32_t largest) override;
+  bool CloseInputChannel(const rtps::Locator_t& at) override;
+  [[nodiscard]] bool IsInputChannelOpen(const rtps::Locator_t& at) const override;
+  void receive(TransportReceiverInterface* next, const rtps::octet* bytes, std::uint32_t size,
+               const rtps::Locator_t& local, const rtps::Locator_t& remote) override;
+  bool OpenOutputChannel(SendResourceList& channels, const rtps::Locator_t& to) override;
+  bool transform_remote_locator(const rtps::Locator_t& remote,
+                                rtps::Locator_t& result) const override {
+    return side() != nullptr ? side()->reach(remote, result, *low_level_transport_)
+                             : ChainingTransport::transform_remote_locator(remote, result);
+  }
+  // NOLINTNEXTLINE(readability-function-size): the signature is that of Fast DDS
+  bool send(rtps::SenderResource* channel, const rtps::octet* bytes, std::uint32_t size,
+            rtps::LocatorsIterator* first, rtps::LocatorsIterator* last,
+            const std::chrono::steady_clock::time_point& timeout) override {
+    return channel->send(bytes, size, first, last, timeout);
+  }
+
+ private:
+  [[nodiscard]] TransportSide* side() const { return descriptor_.parts.side.get(); }
+  /// Null: not by multicast, or there is nothing that receives it.
+  [[nodiscard]] HostMulticastReceiver* group_for(const rtps::Locator_t& at) const {
+    return side() != nullptr && IPLocator::isMulticast(at) ? side()->group() : nullptr;
+  }
+  bool open(const rtps::Locator_t& at, TransportReceiverInterface* receiver, std::uint32_t largest);
+  void show(TransportReceiverInterface* next, const TransportSide::Packet& packet,
+            const rtps::Locator_t& local, const rtps::Locator_t& remote);
+
+  GuardedDescriptor descriptor_;
+  Receptions receptions_;
+};
+
+TransportInterface* GuardedDescriptor::create_transport() const {
+  return new GuardedTransport(*this);
+}
+
+bool GuardedTransport::OpenInputChannel(const rtps::Locator_t& at,
+                                        TransportReceiverInterface* receiver,
+                                        std::uint32_t largest) {
+  receptions_.open(at.port);
+  const bool is_open = open(at, receiver, largest);
+  is_open ? receptions_.opened(at.port) : receptions_.close(at.port);
+  return is_open;
+}
+
+/// It receives messages that are longer than those that it sends.
+bool GuardedTransport::open(const rtps::Locator_t& at, TransportReceiverInterface* receiver,
+                            std::uint32_t largest) {
+  HostMulticastReceiver* const group = group_for(at);
+  if (group == nullptr) {
+    return ChainingTransport::OpenInputChannel(
+        at, receiver, side() != nullptr ? descriptor_.parts.udp->maxMessageSize : largest);
+  }
+  group->start(
+      [this, receiver, at](const std::uint8_t* bytes, std::size_t size, const sockaddr_in& from) {
+        receive(receiver, bytes, static_cast<std::uint32_t>(size), at, locator_of(from));
+      });
+  return true;
+}
+
+bool GuardedTransport::CloseInputChannel(const rtps::Locator_t& at) {
+  descriptor_.parts.reception->release();
+  receptions_.close(at.port);
+  HostMulticastReceiver* const group = group_for(at);
+  if (group == nullptr) return ChainingTransport::CloseInputChannel(at);
+  group->stop();
+  return true;
+}
+
+bool GuardedTransport::IsInputChannelOpen(const rtps::Locator_t& at) const {
+  const HostMulticastReceiver* const group = group_for(at);
+  return group != nullptr ? group->is_running() : ChainingTransport::IsInputChannelOpen(at);
+}
+
+void GuardedTransport::receive(TransportReceiverInterface* next, const rtps::octet* bytes,
+                               std::uint32_t size, const rtps::Locator_t& local,
+                               const rtps::Locator_t& remote) {
+  std::unique_lock<std::mutex> turn;
+  std::vector<std::uint8_t> changed;
+  TransportSide::Packet packet{bytes, size};
+  if (side() != nullptr) {
+    turn = side()->turn(local);
+    packet = side()->received(packet, remote, changed);
+    if (packet.second == 0) return;
+  }
+  const Reception at = receptions_.at(local.port);
+  const HandingOn handing_on(at.socket ? at.socket->of_last() : Duration{0});
+  std::optional<ActivityTurn> seen;
+  if (at.activity) seen.emplace(*at.activity);
+  descriptor_.parts.reception->wait();
+  show(next, packet, local, remote);
+}
+
+void GuardedTransport::show(TransportReceiverInterface* next, const TransportSide::Packet& packet,
+                            const rtps::Locator_t& local, const rtps::Locator_t& remote) {
+  std::vector<std::uint8_t> changed;
+  descriptor_.parts.filter->pass(
+      packet.first, packet.second, remote, PacketFilter::kind_of(local.port),
+      [&](const rtps::octet* shown, std::size_t length) {
+        const auto [message, size] = with_key_onlys(shown, length, changed);
+        next->OnDataReceived(message, static_cast<std::uint32_t>(size), local, remote);
+      });
+}
+
+/// Not chained: Fast DDS would not know its own channel again, and open another for each peer. One
+/// sender reaches all.
+bool GuardedTransport::OpenOutputChannel(SendResourceList& channels, const rtps::Locator_t& to) {
+  if (side() == nullptr) return low_level_transport_->OpenOutputChannel(channels, to);
+  if (to.kind != LOCATOR_KIND_UDPv4) return false;
+  if (!channels.empty()) return true;
+  auto sender = side()->make_sender();
+  if (!sender) return false;
+  channels.push_back(std::move(sender));
+  return true;
+}
+
+}  // namespace
+
+std::shared_ptr<TransportDescriptorInterface> guarded_transport(GuardedTransportParts parts) {
+  return std::make_shared<GuardedDescriptor>(std::move(parts));
+}
+
+}  // namespace tocsin

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "transport/socket_wait.hpp"
+
+#include <linux/sockios.h>
+#include <netinet/in.h>
+#include <sys/ioctl.h>
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <string>
+#include <system_error>
+
+namespace tocsin {
+namespace {
+
+thread_local Duration handed_on_waited{0};
+
+bool is_udp_at(int descriptor, std::uint16_t port) {
+  int type = 0;
+  socklen_t type_size = sizeof type;
+  sockaddr_in own{};
+  socklen_t own_size = sizeof own;
+  return ::getsockopt(descriptor, SOL_SOCKET, SO_TYPE, &type, &type_size) == 0 &&
+         type == SOCK_DGRAM &&
+         ::getsockname(descriptor, reinterpret_cast<sockaddr*>(&own), &own_size) == 0 &&
+         own.sin_family == AF_INET && ntohs(own.sin_port) == port;
+}
+
+/// -1: none.
+int own_socket_at(std::uint16_t port) {
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd", error)) {
+    const int descriptor = std::atoi(entry.path().filename().c_str());
+    if (is_udp_at(descriptor, port)) return descriptor;
+  }
+  return -1;
+}
+
+Duration wall_now() {
+  return std::chrono::duration_cast<Duration>(std::chrono::system_clock::now().time_since_epoch());
+}
+
+}  // namespace
+
+SocketWait::SocketWait(std::uint16_t port) : socket_(own_socket_at(port)) {
+  (void)of_last();  // from the first question on the kernel notes it
+}
+
+Duration SocketWait::of_last() const {
+  timespec came{};
+  if (socket_ < 0 || ::ioctl(socket_, SIOCGSTAMPNS, &came) != 0) return Duration{0};
+  const Duration at = std::chrono::seconds(came.tv_sec) + std::chrono::nanoseconds(came.tv_nsec);
+  return std::max(wall_now() - at, Duration{0});
+}
+
+Duration waited_in_socket() { return handed_on_waited; }
+
+HandingOn::HandingOn(Duration waited) { handed_on_waited = waited; }
+HandingOn::~HandingOn() { handed_on_waited = Duration{0}; }
+
+}  // namespace tocsin

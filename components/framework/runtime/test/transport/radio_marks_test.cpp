@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "transport/radio_marks.hpp"
+
+#include <gtest/gtest.h>
+
+#include "link/rtps_bytes.hpp"
+
+namespace tocsin {
+namespace {
+
+namespace rtps = eprosima::fastrtps::rtps;
+
+/// The writer of `data_of(7)`.
+rtps::EntityId_t writer_7() {
+  rtps::EntityId_t writer;
+  writer.value[2] = 7;
+  writer.value[3] = 3;
+  return writer;
+}
+
+Bytes message_of_writer_7() {
+  Bytes bytes = message();
+  append(bytes, data, data_of(7));
+  return bytes;
+}
+
+TEST(RadioMarks, APacketBearsTheMarkOfItsWriter) {
+  RadioMarks sut;
+  const rtps::EntityId_t writer = writer_7();
+  Bytes bytes = message_of_writer_7();
+  EXPECT_EQ(sut.mark(bytes.data(), bytes.size(), bytes.size()), 48) << "not known yet";
+  sut.set(writer, 8, TrafficClass::low);
+  EXPECT_EQ(sut.mark(bytes.data(), bytes.size(), bytes.size()), 8);
+  sut.forget(writer);
+  EXPECT_EQ(sut.mark(bytes.data(), bytes.size(), bytes.size()), 48);
+}
+
+TEST(RadioMarks, TheBytesOfAWriterCountForItsClassAlsoWhenItIsForgotten) {
+  RadioMarks sut;
+  const rtps::EntityId_t writer = writer_7();
+  Bytes bytes = message_of_writer_7();
+  (void)sut.mark(bytes.data(), bytes.size(), bytes.size());
+  sut.set(writer, 32, TrafficClass::high);
+  (void)sut.mark(bytes.data(), bytes.size(), bytes.size());
+  (void)sut.mark(bytes.data(), bytes.size(), bytes.size());
+  sut.forget(writer);
+  const auto& by_class = sut.packets().class_bytes;
+  EXPECT_EQ(by_class[1], 2 * (bytes.size() + 28));
+  EXPECT_EQ(by_class[0] + by_class[2] + by_class[3], 0U);
+}
+
+TEST(RadioMarks, DiscoveryGoesFirstAndIsCounted) {
+  RadioMarks sut;
+  Bytes announcement = message();
+  Bytes content = data_of(1);
+  content[11] = 0xc2;  // the kind of a built-in writer
+  append(announcement, data, content);
+  Bytes sample = message();
+  append(sample, data, data_of(7));
+  EXPECT_EQ(sut.mark(announcement.data(), announcement.size(), announcement.size()), 48);
+  (void)sut.mark(sample.data(), sample.size(), sample.size());
+  (void)sut.mark(sample.data(), sample.size(), sample.size());
+  const LinkPackets packets = sut.packets();
+  EXPECT_EQ(packets.packets, 3U);
+  EXPECT_EQ(packets.discovery_packets, 1U);
+  EXPECT_EQ(packets.discovery_bytes, announcement.size() + 28);
+  EXPECT_EQ(packets.bytes, announcement.size() + 2 * sample.size() + 3 * 28);
+}
+
+}  // namespace
+}  // namespace tocsin

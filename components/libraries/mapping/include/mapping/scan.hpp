@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "geometry/pose.hpp"
+
+namespace tocsin::mapping {
+
+using Points = std::vector<geometry::Point>;
+
+/// One turn of a laser, in the frame of the vehicle.
+struct Scan {
+  geometry::Point laser;  ///< where the beams start [m]
+  Points hits;            ///< what they met [m]
+  Points misses;          ///< ends of what is free on beams that met nothing [m]
+};
+
+/// How readings of a laser become points.
+struct ScanParams {
+  double min_range_m = 0.1;   ///< shorter readings are the laser's own housing: ignored
+  double max_range_m = 40.0;  ///< this and more is "no return"
+  double used_range_m = 30;   ///< longer readings are ignored: their beams lie too far apart
+  double cleared_m = 4.0;     ///< how far a beam without return makes the floor free; 0: not at all
+};
+
+/// Where the laser sits on the vehicle, and how its beams lie.
+struct Beams {
+  geometry::Pose laser;      ///< frame of the vehicle
+  double first_rad = 0;      ///< bearing of the first beam, frame of the laser
+  double increment_rad = 0;  ///< from beam to beam, counter-clockwise
+};
+
+/// NaN is ignored, +inf is "no return" (REP 117).
+[[nodiscard]] Scan make_scan(const std::vector<double>& ranges_m, const Beams& beams,
+                             const ScanParams& params = {});
+
+/// `points`, given in the frame of `pose`, in the frame that `pose` is given in.
+[[nodiscard]] Points transformed(const Points& points, const geometry::Pose& pose);
+
+/// `hits`, in the order of their beams, and points at most `spacing_m` apart on the straight walls
+/// between them. Where a wall is met at a low angle the beams lie far apart; without the points
+/// between, a matcher would lay the next beams onto the last ones, and the vehicle would stand
+/// still in a corridor.
+[[nodiscard]] Points joined(const Points& hits, double spacing_m);
+
+/// One point of each square of side `cell_m` that has any, the first of each, in their order.
+[[nodiscard]] Points thinned(const Points& points, double cell_m);
+
+}  // namespace tocsin::mapping

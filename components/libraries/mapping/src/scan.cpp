@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mapping/scan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace tocsin::mapping {
+namespace {
+
+using geometry::Point;
+
+constexpr double longest_gap_m = 1.5;  // farther apart, two hits are of two things
+constexpr double straight = 0.2;       // [rad] within it three hits are of one wall
+
+bool is_straight(const Point& a, const Point& b, const Point& c) {
+  if (geometry::distance(a, b) > longest_gap_m || geometry::distance(b, c) > longest_gap_m) {
+    return false;
+  }
+  const double turn_rad = geometry::bearing(b, c) - geometry::bearing(a, b);
+  return std::abs(geometry::wrap_angle(turn_rad)) < straight;
+}
+
+}  // namespace
+
+Scan make_scan(const std::vector<double>& ranges_m, const Beams& beams, const ScanParams& params) {
+  Scan scan;
+  scan.laser = geometry::position(beams.laser);
+  for (std::size_t i = 0; i < ranges_m.size(); ++i) {
+    const double range_m = ranges_m[i];
+    if (!(range_m >= params.min_range_m)) continue;
+    const bool is_hit = range_m < params.max_range_m;
+    if (is_hit && range_m > params.used_range_m) continue;
+    if (!is_hit && params.cleared_m <= 0) continue;
+    const double length_m = is_hit ? range_m : params.cleared_m;
+    const double bearing_rad =
+        beams.laser.heading_rad + beams.first_rad + static_cast<double>(i) * beams.increment_rad;
+    (is_hit ? scan.hits : scan.misses)
+        .push_back({scan.laser.x_m + length_m * std::cos(bearing_rad),
+                    scan.laser.y_m + length_m * std::sin(bearing_rad)});
+  }
+  return scan;
+}
+
+Points transformed(const Points& points, const geometry::Pose& pose) {
+  const double c = std::cos(pose.heading_rad);
+  const double s = std::sin(pose.heading_rad);
+  Points moved;
+  moved.reserve(points.size());
+  for (const auto& p : points) {
+    moved.push_back({pose.x_m + c * p.x_m - s * p.y_m, pose.y_m + s * p.x_m + c * p.y_m});
+  }
+  return moved;
+}
+
+Points joined(const Points& hits, double spacing_m) {
+  Points filled;
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    filled.push_back(hits[i]);
+    if (i + 1 == hits.size()) break;
+    const double gap_m = geometry::distance(hits[i], hits[i + 1]);
+    if (gap_m <= spacing_m || gap_m > longest_gap_m) continue;
+    const bool goes_on = i > 0 && is_straight(hits[i - 1], hits[i], hits[i + 1]);
+    const bool begins = i + 2 < hits.size() && is_straight(hits[i], hits[i + 1], hits[i + 2]);
+    if (!goes_on && !begins) continue;
+    const double parts = std::ceil(gap_m / spacing_m);
+    for (double k = 1; k < parts; ++k) {
+      filled.push_back(geometry::between(hits[i], hits[i + 1], k / parts));
+    }
+  }
+  return filled;
+}
+
+Points thinned(const Points& points, double cell_m) {
+  using Square = std::pair<std::int64_t, std::int64_t>;
+  std::vector<std::pair<Square, std::size_t>> squares;
+  squares.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    squares.push_back({{std::llround(std::floor(points[i].x_m / cell_m)),
+                        std::llround(std::floor(points[i].y_m / cell_m))},
+                       i});
+  }
+  std::sort(squares.begin(), squares.end());
+  const auto is_same = [](const auto& a, const auto& b) { return a.first == b.first; };
+  squares.erase(std::unique(squares.begin(), squares.end(), is_same), squares.end());
+  std::vector<std::size_t> kept;
+  kept.reserve(squares.size());
+  for (const auto& [square, index] : squares) kept.push_back(index);
+  std::sort(kept.begin(), kept.end());
+  Points thin;
+  thin.reserve(kept.size());
+  for (const std::size_t index : kept) thin.push_back(points[index]);
+  return thin;
+}
+
+}  // namespace tocsin::mapping

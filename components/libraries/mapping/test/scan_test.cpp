@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mapping/scan.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tocsin::mapping {
+namespace {
+
+TEST(MakeScan, TellsHitsFromMissesAndIgnoresTheRest) {
+  ScanParams params;
+  params.min_range_m = 0.1;
+  params.used_range_m = 20;
+  params.max_range_m = 40;
+  params.cleared_m = 3;
+  struct Row {
+    double range_m;
+    std::size_t hits;
+    std::size_t misses;
+  };
+  for (const Row& row : {Row{0.1, 1, 0}, Row{0.099, 0, 0}, Row{20, 1, 0}, Row{20.001, 0, 0},
+                         Row{39.999, 0, 0}, Row{40, 0, 1}, Row{infinity, 0, 1}, Row{nan, 0, 0}}) {
+    const Scan scan = make_scan({row.range_m}, {}, params);
+    EXPECT_EQ(scan.hits.size(), row.hits) << row.range_m;
+    EXPECT_EQ(scan.misses.size(), row.misses) << row.range_m;
+  }
+}
+
+TEST(MakeScan, ClearsNothingWithoutReturnWhenItMayNot) {
+  ScanParams params;
+  params.cleared_m = 0;
+  EXPECT_TRUE(make_scan({infinity}, {}, params).misses.empty());
+}
+
+TEST(MakeScan, PlacesBeamsFromWhereTheLaserSits) {
+  const Scan scan = make_scan({2, 3}, {{0.5, 0, pi / 2}, -pi / 2, pi / 2});
+  ASSERT_EQ(scan.hits.size(), 2U);
+  EXPECT_DOUBLE_EQ(scan.laser.x_m, 0.5);
+  EXPECT_NEAR(scan.hits[0].x_m, 2.5, 1e-12);
+  EXPECT_NEAR(scan.hits[0].y_m, 0, 1e-12);
+  EXPECT_NEAR(scan.hits[1].x_m, 0.5, 1e-12);
+  EXPECT_NEAR(scan.hits[1].y_m, 3, 1e-12);
+}
+
+TEST(Joined, FillsAStraightWallAndNothingElse) {
+  const auto count = [](const Points& hits) { return joined(hits, 0.1).size(); };
+  EXPECT_EQ(count({{0, 0}, {1, 0}, {2, 0}}), 21U);
+  EXPECT_EQ(count({{0, 0}, {1, 0}, {2, 0.15}}), 22U);
+  EXPECT_EQ(count({{0, 0}, {1, 0}, {1.5, 0.5}}), 3U);  // a corner
+  EXPECT_EQ(count({{0, 0}, {1, 0}}), 2U);              // nothing says that it is a wall
+  EXPECT_EQ(count({{0, 0}, {1.6, 0}, {3.2, 0}}), 3U);  // doors apart
+  EXPECT_EQ(count({{0, 0}, {0.1, 0}, {0.2, 0}}), 3U);  // near enough
+  EXPECT_EQ(count({}), 0U);
+  const Points filled = joined({{0, 0}, {0.25, 0}, {0.5, 0}}, 0.1);
+  ASSERT_EQ(filled.size(), 7U);
+  EXPECT_NEAR(filled[1].x_m, 0.25 / 3, 1e-12);
+}
+
+TEST(Thinned, KeepsTheFirstPointOfEachSquareInTheirOrder) {
+  const Points thin = thinned({{0.51, 0}, {-0.01, 0}, {0.55, 0.01}, {0.01, 0}, {0.09, 0.09}}, 0.1);
+  ASSERT_EQ(thin.size(), 3U);
+  EXPECT_DOUBLE_EQ(thin[0].x_m, 0.51);
+  EXPECT_DOUBLE_EQ(thin[1].x_m, -0.01);
+  EXPECT_DOUBLE_EQ(thin[2].x_m, 0.01);
+}
+
+}  // namespace
+}  // namespace tocsin::mapping

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// tocsin map replay: a map of a recorded drive.
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+
+#include "command_line/command.hpp"
+#include "foundation/error.hpp"
+#include "foundation/printable.hpp"
+#include "foundation/read_file.hpp"
+#include "foundation/replace_file.hpp"
+#include "navigation/map_writer.hpp"
+#include "replay.hpp"
+
+namespace tocsin::map_tool {
+namespace {
+
+constexpr std::size_t longest_log = std::size_t{1} << 31U;  // [byte]
+
+struct Options {
+  std::string log;
+  std::string trajectory;
+  std::string map;
+  double resolution_m = 0.05;
+  mapping::ScanParams scan;
+};
+
+void declare(CLI::App& app, Options& options) {
+  app.add_option("LOG", options.log,
+                 "log in the text format of CARMEN (ODOM with FLASER or ROBOTLASER1)")
+      ->required();
+  app.add_option("--trajectory", options.trajectory,
+                 "file to write: time x y theta of each reading of the odometry");
+  app.add_option("--map", options.map, "writes NAME.yaml and NAME.pgm, as ROS's map_server reads")
+      ->type_name("NAME");
+  app.add_option("--resolution", options.resolution_m, "[m] side of a cell of that map [0.05]")
+      ->check(CLI::Range(0.01, 1.0));
+  app.add_option("--max-range", options.scan.max_range_m,
+                 "[m] this and more is no return, in addition to what the log says [40]")
+      ->check(CLI::Range(1.0, 1000.0));
+}
+
+void tell(const Replay& replay, double took_s) {
+  const auto& mapper = replay.mapper();
+  std::printf("%zu scans in %.1f s (%.1f ms each); %zu used, %zu submaps, %zu loops\n",
+              replay.scans(), took_s,
+              1e3 * took_s / static_cast<double>(std::max<std::size_t>(1, replay.scans())),
+              mapper.nodes().size(), mapper.local().submaps().size(), mapper.loops());
+}
+
+int replay_log(const Options& options) {
+  const std::string text = read_file(options.log, longest_log);
+  CarmenLog log(text, printable(options.log));
+  Replay replay({}, options.scan);
+  const auto begin = std::chrono::steady_clock::now();
+  while (const auto reading = log.next()) replay.on_reading(*reading);
+  if (replay.scans() == 0) {
+    throw ConfigError(options.log + ": has no scan; FLASER or ROBOTLASER1 lines are needed");
+  }
+  replay.finish();
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  if (!options.trajectory.empty()) {
+    const auto error = replace_file(options.trajectory, trajectory_text(replay.trajectory()));
+    if (error) throw ConfigError(options.trajectory + ": cannot be written: " + error.message());
+  }
+  if (!options.map.empty()) {
+    navigation::write_map(replay.mapper().map(options.resolution_m), options.map);
+  }
+  tell(replay, took.count());
+  return 0;
+}
+
+}  // namespace
+}  // namespace tocsin::map_tool
+
+int main(int argc, char** argv) {
+  tocsin::map_tool::Options options;
+  CLI::App app("Maps from a laser: replays a log as fast as it goes.");
+  app.name("tocsin map");
+  tocsin::Verbs verbs(app);
+  tocsin::map_tool::declare(*verbs.add("replay", "maps a recorded drive",
+                                       [&] { return tocsin::map_tool::replay_log(options); }),
+                            options);
+  return verbs.run(argc, argv);
+}
