@@ -60,10 +60,11 @@ TEST_F(LiveQos, AnEndMovesToAnotherPartitionAndBackAndTakesNoOtherTopicAlong) {
   const auto writer_of_other = a->advertise(other);
   const auto reader = b->subscribe(text, samples);
   const auto reader_of_other = b->subscribe(other, others);
-  ASSERT_TRUE(eventually([&] { return matched(*a, true) == 1; }));
+  const auto others_matched = [&] { return health_of(*a, "other", true).matched; };
+  ASSERT_TRUE(eventually([&] { return matched(*a, true) == 1 && others_matched() == 1; }));
   EXPECT_EQ(a->host_control().change_qos(writers("partition: [right]")), 1);
   EXPECT_TRUE(eventually([&] { return matched(*a, true) == 0; }));
-  EXPECT_EQ(health_of(*a, "other", true).matched, 1);
+  EXPECT_EQ(others_matched(), 1);
   EXPECT_EQ(a->host_control().change_qos(writers("partition: []")), 1);
   EXPECT_EQ(b->host_control().change_qos(readers("partition: []")), 1);
   ASSERT_TRUE(eventually([&] { return matched(*a, true) == 1 && matched(*b, false) == 1; }));
