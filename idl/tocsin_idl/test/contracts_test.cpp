@@ -41,6 +41,13 @@ TEST(TopicLists, WhatRos2sToolsLookForHasItsNameAndType) {
   expect_topic<topic::Odom>("odom", "nav_msgs::msg::dds_::Odometry_");
   expect_topic<topic::JointStates>("joint_states", "sensor_msgs::msg::dds_::JointState_");
   expect_topic<topic::Tf>("tf", "tf2_msgs::msg::dds_::TFMessage_");
+  expect_topic<topic::TfStatic>("tf_static", "tf2_msgs::msg::dds_::TFMessage_");
+  expect_topic<topic::Scan>("scan", "sensor_msgs::msg::dds_::LaserScan_");
+  expect_topic<topic::AmclPose>("amcl_pose",
+                                "geometry_msgs::msg::dds_::PoseWithCovarianceStamped_");
+  expect_topic<topic::InitialPose>("initialpose",
+                                   "geometry_msgs::msg::dds_::PoseWithCovarianceStamped_");
+  expect_topic<topic::MapUpdates>("map_updates", "map_msgs::msg::dds_::OccupancyGridUpdate_");
   expect_topic<topic::Diagnostics>("diagnostics", "diagnostic_msgs::msg::dds_::DiagnosticArray_");
   expect_topic<topic::BatteryState>("battery_state", "sensor_msgs::msg::dds_::BatteryState_");
   expect_topic<topic::Map>("map", "nav_msgs::msg::dds_::OccupancyGrid_");

@@ -40,7 +40,7 @@ std::optional<std::vector<Constraint>> LocalMapper::on_scan(const Pose& odometry
   Node node;
   node.odometry = odometry;
   node.pose = pose_at(odometry);
-  node.thin = thinned(scan.hits, params_.thin_m);
+  node.thin = laser::thinned(scan.hits, params_.thin_m);
   node.scan = std::move(scan);
   std::vector<Constraint> constraints;
   if (!nodes_.empty()) place(node, constraints);

@@ -124,10 +124,11 @@ Points Mapper::recent_points(std::size_t node) const {
   Points points;
   const std::size_t first = node + 1 - std::min(node + 1, params_.loop_nodes);
   for (std::size_t i = first; i <= node; ++i) {
-    const Points part = transformed(nodes()[i].thin, relative(nodes()[node].pose, nodes()[i].pose));
+    const Points part =
+        laser::transformed(nodes()[i].thin, relative(nodes()[node].pose, nodes()[i].pose));
     points.insert(points.end(), part.begin(), part.end());
   }
-  return thinned(points, params_.loop_thin_m);
+  return laser::thinned(points, params_.loop_thin_m);
 }
 
 bool Mapper::look_for_loops(std::size_t node, const std::vector<double>& ways) {

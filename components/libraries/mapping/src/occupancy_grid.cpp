@@ -124,9 +124,9 @@ void OccupancyGrid::pass(const Point& from, const Point& to) {
 }
 
 void OccupancyGrid::insert(const Scan& scan, const geometry::Pose& pose) {
-  const Points hits = transformed(scan.hits, pose);
-  const Points misses = transformed(scan.misses, pose);
-  const Point laser = transformed({scan.laser}, pose).front();
+  const Points hits = laser::transformed(scan.hits, pose);
+  const Points misses = laser::transformed(scan.misses, pose);
+  const Point laser = laser::transformed({scan.laser}, pose).front();
   Points all = hits;
   all.insert(all.end(), misses.begin(), misses.end());
   all.push_back(laser);

@@ -15,7 +15,7 @@ Submap::Submap(std::size_t first_node, double resolution_m, double sigma_m)
 void Submap::insert(std::size_t node, const Scan& scan, const geometry::Pose& pose) {
   nodes_.push_back(node);
   poses_.push_back(pose);
-  const Points hits = transformed(joined(scan.hits, field_.sigma_m()), pose);
+  const Points hits = laser::transformed(laser::joined(scan.hits, field_.sigma_m()), pose);
   points_.insert(points_.end(), hits.begin(), hits.end());
   occupancy_.insert(scan, pose);
   bounds_.reset();
@@ -75,7 +75,7 @@ Agreement Submap::agreement(const Points& points, const geometry::Pose& pose) co
   assert(finished_);
   double seen = 0;
   double opposed = 0;
-  for (const auto& p : transformed(points, pose)) {
+  for (const auto& p : laser::transformed(points, pose)) {
     const bool is_explained = field_.at(p.x_m, p.y_m).value > explained;
     const bool nothing_is_there = is_free(p);
     if (is_explained || nothing_is_there) ++seen;

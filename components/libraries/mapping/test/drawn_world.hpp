@@ -7,8 +7,8 @@
 #include <random>
 #include <vector>
 
+#include "laser_geometry/scan.hpp"
 #include "mapping/relative_pose.hpp"
-#include "mapping/scan.hpp"
 
 namespace tocsin::mapping {
 
@@ -74,7 +74,7 @@ inline std::vector<double> ranges_of(const std::vector<Segment>& walls, const ge
 
 inline Scan scan_of(const std::vector<Segment>& walls, const geometry::Pose& pose,
                     const Laser& laser, std::mt19937& random) {
-  const Beams beams{{}, -laser.view_rad / 2, laser.view_rad / laser.beams};
+  const laser::Beams beams{{}, -laser.view_rad / 2, laser.view_rad / laser.beams};
   return make_scan(ranges_of(walls, pose, laser, random), beams);
 }
 

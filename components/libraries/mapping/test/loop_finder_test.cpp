@@ -25,7 +25,7 @@ Submap submap_of(const std::vector<Segment>& walls, const std::vector<Pose>& way
 
 Points seen_from(const std::vector<Segment>& walls, const Pose& pose) {
   std::mt19937 random(2);
-  return thinned(scan_of(walls, pose, all_round, random).hits, 0.1);
+  return laser::thinned(scan_of(walls, pose, all_round, random).hits, 0.1);
 }
 
 TEST(FindLoop, RecognisesARoomFromAnotherPlaceAndHeading) {

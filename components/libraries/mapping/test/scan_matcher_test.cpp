@@ -16,13 +16,13 @@ LikelihoodField field_of(const std::vector<Segment>& walls, const Pose& pose) {
   std::mt19937 random(1);
   Laser all_round{720, 2 * pi, 0.005, 30};
   LikelihoodField field(0.05, 0.1);
-  field.stamp(transformed(joined(scan_of(walls, pose, all_round, random).hits, 0.05), pose));
+  field.stamp(laser::transformed(joined(scan_of(walls, pose, all_round, random).hits, 0.05), pose));
   return field;
 }
 
 Points seen_from(const std::vector<Segment>& walls, const Pose& pose, double range_m = 30) {
   std::mt19937 random(2);
-  return thinned(scan_of(walls, pose, {180, pi, 0.01, range_m}, random).hits, 0.1);
+  return laser::thinned(scan_of(walls, pose, {180, pi, 0.01, range_m}, random).hits, 0.1);
 }
 
 std::vector<Segment> corridor() { return {{{-50, -1}, {50, -1}}, {{-50, 1}, {50, 1}}}; }
@@ -33,7 +33,7 @@ LikelihoodField corridor_field() {
   LikelihoodField field(0.05, 0.1);
   for (double x_m = -4; x_m < 4; x_m += 0.37) {
     const Scan scan = scan_of(corridor(), {x_m, 0, 0}, {720, 2 * pi, 0.005, 30}, random);
-    field.stamp(transformed(joined(scan.hits, 0.05), {x_m, 0, 0}));
+    field.stamp(laser::transformed(joined(scan.hits, 0.05), {x_m, 0, 0}));
   }
   return field;
 }
@@ -85,7 +85,7 @@ TEST(Search, MissesNoPoseThatIsBetter) {
       for (int column = -8; column <= 8; ++column) {
         double sum = 0;
         const Pose pose{guess.x_m, guess.y_m, guess.heading_rad + h * step_rad};
-        for (const auto& p : transformed(points, pose)) {
+        for (const auto& p : laser::transformed(points, pose)) {
           auto cell = field.grid().cell_of(p);
           if (!cell) continue;
           cell = {cell->column + column, cell->row + row};
@@ -168,7 +168,7 @@ TEST(Refine, TakesBeamsThatLieFarApartForMoreWhenTheyAreNotJoined) {
     field.stamp(stamped);
     return refine(field, points, {0, 0, 0}, {0, 0, 0}).information(0, 0);
   };
-  EXPECT_GT(along(points), 3 * along(joined(points, 0.05)));
+  EXPECT_GT(along(points), 3 * along(laser::joined(points, 0.05)));
 }
 
 TEST(Refine, OfNoPointsStaysAndKnowsNothing) {

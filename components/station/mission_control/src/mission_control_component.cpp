@@ -7,6 +7,7 @@
 #include "foundation/enum_words.hpp"
 #include "foundation/error.hpp"
 #include "foundation/printable.hpp"
+#include "geometry/pose_message.hpp"
 #include "navigation/map_loader.hpp"
 #include "runtime/component_entry.hpp"
 
@@ -26,23 +27,6 @@ std::optional<navigation::Mission> load_checked_mission(
 MissionAction make_action(const MissionControlComponent::Params& params) {
   if (params.map_file.empty()) return MissionAction();
   return MissionAction(navigation::load_map(params.map_file), params.robot_radius_m);
-}
-
-geometry::Pose pose_of(const topic::Location::Message& message) {
-  const auto& pose = message.pose().pose();
-  const auto& q = pose.orientation();
-  return {pose.position().x(), pose.position().y(),
-          geometry::heading_of({q.x(), q.y(), q.z(), q.w()})};
-}
-
-geometry_msgs::msg::Pose message_of(const geometry::Pose& pose) {
-  const auto q = geometry::quaternion_of(pose.heading_rad);
-  geometry_msgs::msg::Pose message;
-  message.position().x(pose.x_m);
-  message.position().y(pose.y_m);
-  message.orientation().z(q.z);
-  message.orientation().w(q.w);
-  return message;
 }
 
 /// Two starts never begin in the same nanosecond, and a simulated one begins always in the same.
@@ -74,7 +58,8 @@ void MissionControlComponent::tick(Time now) {
 }
 
 void MissionControlComponent::take_inputs(Time now) {
-  if (const auto location = location_.take_latest()) control_.on_location(pose_of(*location), now);
+  if (const auto location = location_.take_latest())
+    control_.on_location(geometry::pose_in(location->pose().pose()), now);
   while (const auto status = navigation_.take()) {
     control_.on_status({status->mission(), status->goal_id()}, status->state(), now);
   }
@@ -135,7 +120,7 @@ void MissionControlComponent::publish_path(Time now) {
   for (const geometry::Pose& waypoint : control_.mission().waypoints) {
     path.poses().emplace_back();
     path.poses().back().header(path.header());
-    path.poses().back().pose(message_of(waypoint));
+    path.poses().back().pose(geometry::pose_message<geometry_msgs::msg::Pose>(waypoint));
   }
   if (path_.write(std::move(path)) == Status::ok) published_missions_ = control_.missions();
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mission_control/waypoints_server.hpp"
+#include "geometry/pose_message.hpp"
 
 #include <utility>
 
@@ -13,11 +14,7 @@ WaypointsGoal read(const action::FollowWaypoints::Goal& message) {
   goal.loops = message.number_of_loops();
   goal.first = message.goal_index();
   for (const auto& stamped : message.poses()) {
-    const auto& pose = stamped.pose();
-    const auto& q = pose.orientation();
-    goal.poses.push_back({stamped.header().frame_id(),
-                          {pose.position().x(), pose.position().y(),
-                           geometry::heading_of({q.x(), q.y(), q.z(), q.w()})}});
+    goal.poses.push_back({stamped.header().frame_id(), geometry::pose_in(stamped.pose())});
   }
   return goal;
 }

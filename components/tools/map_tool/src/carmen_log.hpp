@@ -7,14 +7,14 @@
 #include <string_view>
 #include <vector>
 
-#include "mapping/scan.hpp"
+#include "laser_geometry/scan.hpp"
 
 namespace tocsin::map_tool {
 
 /// One turn of the laser as a log has it.
 struct LogScan {
   std::vector<double> ranges_m;
-  mapping::Beams beams;
+  laser::Beams beams;
   double max_range_m = infinity;  ///< this and more is "no return", as far as the log says it
 };
 

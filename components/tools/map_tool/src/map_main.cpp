@@ -22,7 +22,7 @@ struct Options {
   std::string trajectory;
   std::string map;
   double resolution_m = 0.05;
-  mapping::ScanParams scan;
+  laser::ScanParams scan;
 };
 
 void declare(CLI::App& app, Options& options) {

@@ -14,14 +14,14 @@ namespace tocsin::map_tool {
 using geometry::compose;
 using geometry::Pose;
 
-Replay::Replay(const mapping::MapperParams& params, const mapping::ScanParams& scan_params)
+Replay::Replay(const mapping::MapperParams& params, const laser::ScanParams& scan_params)
     : scan_params_(scan_params), mapper_(params) {}
 
 void Replay::on_reading(const LogReading& reading) {
   bool is_node = false;
   if (reading.scan) {
     ++scans_;
-    mapping::ScanParams params = scan_params_;
+    laser::ScanParams params = scan_params_;
     params.max_range_m = std::min(params.max_range_m, reading.scan->max_range_m);
     is_node = mapper_.on_scan(reading.odometry,
                               make_scan(reading.scan->ranges_m, reading.scan->beams, params));

@@ -20,7 +20,7 @@ struct TimedPose {
 class Replay {
  public:
   explicit Replay(const mapping::MapperParams& params = {},
-                  const mapping::ScanParams& scan_params = {});
+                  const laser::ScanParams& scan_params = {});
 
   void on_reading(const LogReading& reading);
   /// After the last reading.
@@ -41,7 +41,7 @@ class Replay {
   void add_between(const std::vector<Reading>& readings, std::size_t node,
                    std::vector<TimedPose>& trajectory) const;
 
-  mapping::ScanParams scan_params_;
+  laser::ScanParams scan_params_;
   mapping::Mapper mapper_;
   std::vector<Reading> readings_;
   std::size_t scans_ = 0;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "geometry/pose.hpp"
+#include "geometry/pose_message.hpp"
 #include "runtime/component_entry.hpp"
 
 namespace tocsin {
@@ -12,10 +13,6 @@ namespace tocsin {
 namespace {
 
 constexpr Duration report_period = std::chrono::seconds(1);
-
-double heading_of(const geometry_msgs::msg::Quaternion& q) {
-  return geometry::heading_of({q.x(), q.y(), q.z(), q.w()});
-}
 
 }  // namespace
 
@@ -89,7 +86,7 @@ void AutoDockingComponent::start(Time now) {
 /// and then counts for the next one.
 void AutoDockingComponent::take_sensors(Time now) {
   if (const auto odom = sensors_->odom.take_latest()) {
-    seen_.heading_rad = heading_of(odom->pose().pose().orientation());
+    seen_.heading_rad = geometry::heading_in(odom->pose().pose().orientation());
   }
   while (const auto infrared = sensors_->infrared.take()) {
     if (infrared->data().size() < 3) continue;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "camera/jpeg.hpp"
+#include "geometry/pose_message.hpp"
 #include "geometry/wall_file.hpp"
 #include "runtime/component_entry.hpp"
 
@@ -15,10 +16,7 @@ namespace {
 
 /// The view of a pose on the floor; empty when a part of it is not finite.
 std::optional<geometry::Pose> to_view(const topic::Location::Message& message) {
-  const auto& position = message.pose().pose().position();
-  const auto& q = message.pose().pose().orientation();
-  const double heading_rad = geometry::heading_of({q.x(), q.y(), q.z(), q.w()});
-  const geometry::Pose pose{position.x(), position.y(), heading_rad};
+  const geometry::Pose pose = geometry::pose_in(message.pose().pose());
   return is_finite(pose) ? std::optional(pose) : std::nullopt;
 }
 

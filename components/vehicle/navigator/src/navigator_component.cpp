@@ -6,8 +6,8 @@
 
 #include "foundation/error.hpp"
 #include "foundation/role.hpp"
+#include "geometry/pose_message.hpp"
 #include "navigation/map_loader.hpp"
-#include "navigator/pose_message.hpp"
 #include "runtime/component_entry.hpp"
 
 namespace tocsin {
@@ -67,7 +67,7 @@ bool NavigatorComponent::is_turn(Time now) {
 void NavigatorComponent::take_odometry(Time now) {
   const auto odom = odom_.take_latest();
   if (!odom) return;
-  pose_ = localiser_.update(pose_of(odom->pose().pose()), now);
+  pose_ = localiser_.update(geometry::pose_in(odom->pose().pose()), now);
   if (pose_) navigator_.on_pose(*pose_, now);
 }
 
@@ -116,7 +116,7 @@ void NavigatorComponent::report_location(Time now) {
   topic::Location::Message message;
   message.header().stamp(wall(now));
   message.header().frame_id("map");
-  message.pose().pose(to_msg(*pose_));
+  message.pose().pose(geometry::pose_message<geometry_msgs::msg::Pose>(*pose_));
   geometry_msgs::msg::PoseStamped at;
   at.header(message.header());
   at.pose(message.pose().pose());

@@ -5,6 +5,7 @@
 #include "idl_support/topic_info.hpp"
 #include "ros_idl/diagnostic_msgs.hpp"
 #include "ros_idl/geometry_msgs.hpp"
+#include "ros_idl/map_msgs.hpp"
 #include "ros_idl/nav_msgs.hpp"
 #include "ros_idl/sensor_msgs.hpp"
 #include "ros_idl/std_msgs.hpp"
@@ -36,6 +37,16 @@ struct Imu {
 struct Tf {
   using Message = tf2_msgs::msg::TFMessage;
   static constexpr TopicInfo info{"tf", "sensor", Scope::host};
+};
+/// Places of sensors on the vehicle.
+struct TfStatic {
+  using Message = tf2_msgs::msg::TFMessage;
+  static constexpr TopicInfo info{"tf_static", "state", Scope::host};
+};
+/// A turn of the laser.
+struct Scan {
+  using Message = sensor_msgs::msg::LaserScan;
+  static constexpr TopicInfo info{"scan", "sensor", Scope::host};
 };
 /// Health of devices and components, a status each, about once a second.
 struct Diagnostics {
@@ -162,6 +173,21 @@ struct Map {
   using Message = nav_msgs::msg::OccupancyGrid;
   static constexpr TopicInfo info{"map", "state", Scope::host};
 };
+/// Where the map has changed since it was published whole.
+struct MapUpdates {
+  using Message = map_msgs::msg::OccupancyGridUpdate;
+  static constexpr TopicInfo info{"map_updates", "event", Scope::host};
+};
+/// Where the localiser says the vehicle is, frame map; under the name that nav2's localiser has.
+struct AmclPose {
+  using Message = geometry_msgs::msg::PoseWithCovarianceStamped;
+  static constexpr TopicInfo info{"amcl_pose", "state", Scope::host};
+};
+/// Where a person says the vehicle is, frame map.
+struct InitialPose {
+  using Message = geometry_msgs::msg::PoseWithCovarianceStamped;
+  static constexpr TopicInfo info{"initialpose", "event", Scope::host, Requests::anything};
+};
 /// True stops the vehicle; it stands until everybody who said true has said false, see
 /// EmergencyStopLatch. Anybody on the vehicle's or a station's host may stop it, so every writer
 /// counts. Who says true goes on saying it: readers that come late get no older sample. It stays on
@@ -257,9 +283,10 @@ using AllLinkTopics = List<Location, NetworkQuality, NavigationStatus, BatterySt
                            Heartbeat, TransmissionState, TrafficReport, LinkState>;
 
 using AllHostTopics =
-    List<CmdVel, Odom, JointStates, Imu, Tf, Diagnostics, CmdVelNavigation, CmdVelDocking,
-         CmdVelTeleop, CmdVelSelected, CmdVelSmoothed, MuxActive, MuxInputs, MuxSetInputs,
-         SafetyEnable, EmergencyStop, LinkStop, EmergencyStopRequest, EmergencyStopState,
-         MissionPath, MissionCommand, Map, LinkBudget, LogRequest, ContainerState>;
+    List<CmdVel, Odom, JointStates, Imu, Tf, TfStatic, Scan, Diagnostics, CmdVelNavigation,
+         CmdVelDocking, CmdVelTeleop, CmdVelSelected, CmdVelSmoothed, MuxActive, MuxInputs,
+         MuxSetInputs, SafetyEnable, EmergencyStop, LinkStop, EmergencyStopRequest,
+         EmergencyStopState, MissionPath, MissionCommand, Map, MapUpdates, AmclPose, InitialPose,
+         LinkBudget, LogRequest, ContainerState>;
 
 }  // namespace tocsin::topic

@@ -80,7 +80,7 @@ mapping::Scan scan_at(const OccupancyMap& map, const Pose& pose, std::mt19937& r
     const auto range_m = map.raycast(position(pose), pose.heading_rad + i * pi / 180, 12);
     ranges_m.push_back(range_m ? *range_m + noise(random) : infinity);
   }
-  return mapping::make_scan(ranges_m, {{}, 0, pi / 180});
+  return laser::make_scan(ranges_m, {{}, 0, pi / 180});
 }
 
 /// Places 0.25 m apart on a way through the building's middle.
@@ -121,7 +121,7 @@ Timing time_matches() {
     const Pose guess{pose.x_m + 0.3 * off(random), pose.y_m + 0.3 * off(random),
                      pose.heading_rad + 0.26 * off(random)};
     times_ms.push_back(time_ms([&] {
-      const Points points = mapping::thinned(hits, params.thin_m);
+      const Points points = laser::thinned(hits, params.thin_m);
       const auto found = search(submap.bounds(), points, guess, {0.3, 0.26}, search_params);
       if (found) (void)refine(submap.field(), points, found->pose, guess);
     }));
@@ -140,11 +140,11 @@ Timing time_loop_searches() {
     const Pose pose = way()[last];
     Points points;
     for (std::size_t k = last - 8; k < last; ++k) {
-      const Points part = mapping::transformed(scan_at(map, way()[k], random).hits,
-                                               mapping::relative(pose, way()[k]));
+      const Points part = laser::transformed(scan_at(map, way()[k], random).hits,
+                                             mapping::relative(pose, way()[k]));
       points.insert(points.end(), part.begin(), part.end());
     }
-    points = mapping::thinned(points, mapping::MapperParams{}.loop_thin_m);
+    points = laser::thinned(points, mapping::MapperParams{}.loop_thin_m);
     const Pose guess{pose.x_m + 4 * off(random), pose.y_m + 4 * off(random),
                      pose.heading_rad + 0.78 * off(random)};
     times_ms.push_back(time_ms([&] { (void)find_loop(submap, points, guess, {4, 0.785}); }));

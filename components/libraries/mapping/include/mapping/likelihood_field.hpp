@@ -4,10 +4,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "mapping/scan.hpp"
+#include "laser_geometry/scan.hpp"
 #include "navigation/occupancy_map.hpp"
 
 namespace tocsin::mapping {
+
+using laser::Points;
+using laser::Scan;
 
 /// How likely a beam ends at a place: exp(-d^2 / (2 sigma^2)) of the distance d to the nearest
 /// point that was stamped, in steps of 1/255. Points are kept to a quarter of a cell.

@@ -5,10 +5,13 @@
 #include <vector>
 
 #include "geometry/pose.hpp"
-#include "mapping/scan.hpp"
+#include "laser_geometry/scan.hpp"
 #include "navigation/occupancy_map.hpp"
 
 namespace tocsin::mapping {
+
+using laser::Points;
+using laser::Scan;
 
 /// Log odds of a cell, in hundredths.
 struct OccupancyParams {

@@ -4,8 +4,8 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "laser_geometry/scan.hpp"
 #include "mapping/likelihood_field.hpp"
-#include "mapping/scan.hpp"
 
 namespace tocsin::mapping {
 

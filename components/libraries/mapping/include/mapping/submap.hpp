@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
+#include "laser_geometry/scan.hpp"
 #include "mapping/likelihood_field.hpp"
 #include "mapping/occupancy_grid.hpp"
-#include "mapping/scan.hpp"
 
 namespace tocsin::mapping {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mapping/scan.hpp"
+#include "laser_geometry/scan.hpp"
 
 #include <gtest/gtest.h>
 
-namespace tocsin::mapping {
+namespace tocsin::laser {
 namespace {
 
 TEST(MakeScan, TellsHitsFromMissesAndIgnoresTheRest) {
@@ -41,6 +41,24 @@ TEST(MakeScan, PlacesBeamsFromWhereTheLaserSits) {
   EXPECT_NEAR(scan.hits[1].y_m, 3, 1e-12);
 }
 
+/// A vehicle that drives and turns sees a wall where it stands, not where the first beam would put
+/// it.
+TEST(MakeScan, UndoesTheMotionDuringTheTurn) {
+  Beams beams;
+  beams.increment_rad = pi / 2;
+  beams.interval_s = 0.1;
+  beams.velocity = {0.5, 0};
+  const Scan ahead = make_scan({2, 2, 2}, beams);
+  ASSERT_EQ(ahead.hits.size(), 3U);
+  EXPECT_NEAR(ahead.hits[0].x_m, 2, 1e-12);
+  EXPECT_NEAR(ahead.hits[1].x_m, 0.05, 1e-12);
+  EXPECT_NEAR(ahead.hits[2].x_m, 0.1 - 2, 1e-12);
+  beams.velocity = {0, pi};
+  const Scan turning = make_scan({2, 2}, beams);
+  ASSERT_EQ(turning.hits.size(), 2U);
+  EXPECT_NEAR(geometry::bearing({}, turning.hits[1]), pi / 2 + 0.1 * pi, 1e-12);
+}
+
 TEST(Joined, FillsAStraightWallAndNothingElse) {
   const auto count = [](const Points& hits) { return joined(hits, 0.1).size(); };
   EXPECT_EQ(count({{0, 0}, {1, 0}, {2, 0}}), 21U);
@@ -64,4 +82,4 @@ TEST(Thinned, KeepsTheFirstPointOfEachSquareInTheirOrder) {
 }
 
 }  // namespace
-}  // namespace tocsin::mapping
+}  // namespace tocsin::laser

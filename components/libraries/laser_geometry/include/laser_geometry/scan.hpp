@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "geometry/pose.hpp"
+#include "geometry/twist.hpp"
 
-namespace tocsin::mapping {
+namespace tocsin::laser {
 
 using Points = std::vector<geometry::Point>;
 
@@ -25,14 +26,17 @@ struct ScanParams {
   double cleared_m = 4.0;     ///< how far a beam without return makes the floor free; 0: not at all
 };
 
-/// Where the laser sits on the vehicle, and how its beams lie.
+/// Where the laser sits on the vehicle, how its beams lie, and how the vehicle moves meanwhile.
 struct Beams {
-  geometry::Pose laser;      ///< frame of the vehicle
-  double first_rad = 0;      ///< bearing of the first beam, frame of the laser
-  double increment_rad = 0;  ///< from beam to beam, counter-clockwise
+  geometry::Pose laser;        ///< frame of the vehicle
+  double first_rad = 0;        ///< bearing of the first beam, frame of the laser
+  double increment_rad = 0;    ///< from beam to beam, counter-clockwise
+  double interval_s = 0;       ///< from beam to beam
+  geometry::Twist velocity{};  ///< of the vehicle
 };
 
-/// NaN is ignored, +inf is "no return" (REP 117).
+/// Points are in the frame of the vehicle at the first beam. NaN is ignored, +inf is "no return"
+/// (REP 117).
 [[nodiscard]] Scan make_scan(const std::vector<double>& ranges_m, const Beams& beams,
                              const ScanParams& params = {});
 
@@ -48,4 +52,4 @@ struct Beams {
 /// One point of each square of side `cell_m` that has any, the first of each, in their order.
 [[nodiscard]] Points thinned(const Points& points, double cell_m);
 
-}  // namespace tocsin::mapping
+}  // namespace tocsin::laser

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mapping/scan.hpp"
+#include "laser_geometry/scan.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <utility>
 
-namespace tocsin::mapping {
+namespace tocsin::laser {
 namespace {
 
 using geometry::Point;
+using geometry::Pose;
 
 constexpr double longest_gap_m = 1.5;  // farther apart, two hits are of two things
 constexpr double straight = 0.2;       // [rad] within it three hits are of one wall
@@ -22,11 +23,23 @@ bool is_straight(const Point& a, const Point& b, const Point& c) {
   return std::abs(geometry::wrap_angle(turn_rad)) < straight;
 }
 
+bool is_standing(const geometry::Twist& velocity) {
+  return velocity.linear_mps == 0 && velocity.angular_rad_s == 0;
+}
+
+/// Where a vehicle is after `dt_s`, from the origin, on an arc.
+Pose moved(const geometry::Twist& velocity, double dt_s) {
+  const double turn_rad = velocity.angular_rad_s * dt_s;
+  const double way_m = velocity.linear_mps * dt_s;
+  return {way_m * std::cos(turn_rad / 2), way_m * std::sin(turn_rad / 2), turn_rad};
+}
+
 }  // namespace
 
 Scan make_scan(const std::vector<double>& ranges_m, const Beams& beams, const ScanParams& params) {
   Scan scan;
   scan.laser = geometry::position(beams.laser);
+  const bool moves = beams.interval_s != 0 && !is_standing(beams.velocity);
   for (std::size_t i = 0; i < ranges_m.size(); ++i) {
     const double range_m = ranges_m[i];
     if (!(range_m >= params.min_range_m)) continue;
@@ -34,11 +47,13 @@ Scan make_scan(const std::vector<double>& ranges_m, const Beams& beams, const Sc
     if (is_hit && range_m > params.used_range_m) continue;
     if (!is_hit && params.cleared_m <= 0) continue;
     const double length_m = is_hit ? range_m : params.cleared_m;
-    const double bearing_rad =
-        beams.laser.heading_rad + beams.first_rad + static_cast<double>(i) * beams.increment_rad;
+    const auto beam = static_cast<double>(i);
+    const Pose laser =
+        moves ? compose(moved(beams.velocity, beam * beams.interval_s), beams.laser) : beams.laser;
+    const double bearing_rad = laser.heading_rad + beams.first_rad + beam * beams.increment_rad;
     (is_hit ? scan.hits : scan.misses)
-        .push_back({scan.laser.x_m + length_m * std::cos(bearing_rad),
-                    scan.laser.y_m + length_m * std::sin(bearing_rad)});
+        .push_back({laser.x_m + length_m * std::cos(bearing_rad),
+                    laser.y_m + length_m * std::sin(bearing_rad)});
   }
   return scan;
 }
@@ -94,4 +109,4 @@ Points thinned(const Points& points, double cell_m) {
   return thin;
 }
 
-}  // namespace tocsin::mapping
+}  // namespace tocsin::laser
