@@ -16,7 +16,8 @@ LikelihoodField field_of(const std::vector<Segment>& walls, const Pose& pose) {
   std::mt19937 random(1);
   Laser all_round{720, 2 * pi, 0.005, 30};
   LikelihoodField field(0.05, 0.1);
-  field.stamp(laser::transformed(joined(scan_of(walls, pose, all_round, random).hits, 0.05), pose));
+  field.stamp(
+      laser::transformed(laser::joined(scan_of(walls, pose, all_round, random).hits, 0.05), pose));
   return field;
 }
 
@@ -33,7 +34,7 @@ LikelihoodField corridor_field() {
   LikelihoodField field(0.05, 0.1);
   for (double x_m = -4; x_m < 4; x_m += 0.37) {
     const Scan scan = scan_of(corridor(), {x_m, 0, 0}, {720, 2 * pi, 0.005, 30}, random);
-    field.stamp(laser::transformed(joined(scan.hits, 0.05), {x_m, 0, 0}));
+    field.stamp(laser::transformed(laser::joined(scan.hits, 0.05), {x_m, 0, 0}));
   }
   return field;
 }
