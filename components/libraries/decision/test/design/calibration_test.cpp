@@ -21,22 +21,18 @@ CalibrationRequest request(const LinkModel& link, std::size_t n, double samples,
   CalibrationRequest result{{}, cusum, samples};
   for (std::size_t i = 0; i < n; ++i) result.qualities.push_back(source->next());
   result.replicates = 20;
-  result.paths = 500;
+  result.paths = 150;
   return result;
 }
 
-FalseAlarmCurve truth_of(const LinkModel& link, double samples) {
-  const auto source = source_of(link, 99);
-  return {*source, *cusum, {1000, 3 * samples}};
-}
-
 /// How many of the intervals hold the true run length, which thresholds have that are calibrated on
-/// 12 recordings of 2,000 samples for 1,000.
+/// 12 recordings of 600 samples for 300.
 int covered(const LinkModel& link) {
-  const FalseAlarmCurve truth = truth_of(link, 1000);
+  const auto source = source_of(link, 99);
+  const FalseAlarmCurve truth(*source, *cusum, {1000, 900});
   int count = 0;
   for (std::uint64_t i = 0; i < 12; ++i) {
-    const Calibration sut = calibrate(request(link, 2000, 1000, 100 + i));
+    const Calibration sut = calibrate(request(link, 600, 300, 100 + i));
     const double real = truth.run_length(sut.threshold);
     count += real >= sut.true_samples.low && real <= sut.true_samples.high;
   }
@@ -52,10 +48,10 @@ TEST(Calibrate, HoldsTheTruthInItsIntervalOnALinkOfTwoStates) {
 }
 
 TEST(Calibrate, AgreesWithTheExactThresholdOnIndependentData) {
-  const Calibration sut = calibrate(request(Ar1Link{thesis_good, 0}, 30000, 1000));
+  const Calibration sut = calibrate(request(Ar1Link{thesis_good, 0}, 15000, 1000));
   EXPECT_NEAR(sut.threshold, 3.563, 0.25);
-  EXPECT_LT(sut.true_samples.high / sut.true_samples.low, 1.9);
-  EXPECT_NEAR(sut.alarms_seen, 30, 20);
+  EXPECT_LT(sut.true_samples.high / sut.true_samples.low, 2.5);
+  EXPECT_NEAR(sut.alarms_seen, 15, 10);
   EXPECT_FALSE(sut.extrapolated());
 }
 
