@@ -52,7 +52,7 @@ void LinkEvents::on(const link_event::HostSample& event, Instant at) {
   each([&](LinkService& one) { one.on_local(found->second, event.sample, is_live, at); });
 }
 
-void LinkEvents::on(const link_event::HostListens& event, Instant at) {
+void LinkEvents::on(const link_event::HostReaderMatched& event, Instant at) {
   each([&](LinkService& one) { one.on_local_reader(event.flow, at.now); });
 }
 
@@ -86,7 +86,7 @@ void LinkEvents::on(const link_event::PeerFlowGone& event, Instant) {
   remote_.erase(found);
 }
 
-void LinkEvents::on(const link_event::PeerListens& event, Instant at) {
+void LinkEvents::on(const link_event::PeerReaderMatched& event, Instant at) {
   const LinkPeer* const peer = peers_.find(event.peer);
   if (peer == nullptr) return;
   each([&](LinkService& one) { one.on_remote_reader(*peer, event.flow, at.now); });

@@ -29,12 +29,12 @@ class LinkEvents {
   void on(const link_event::HostFlow& event, Instant at);
   void on(const link_event::HostFlowGone& event, Instant at);
   void on(const link_event::HostSample& event, Instant at);
-  void on(const link_event::HostListens& event, Instant at);
+  void on(const link_event::HostReaderMatched& event, Instant at);
   void on(const link_event::PeerFound& event, Instant at);
   void on(const link_event::PeerLost& event, Instant at);
   void on(const link_event::PeerFlow& event, Instant at);
   void on(const link_event::PeerFlowGone& event, Instant at);
-  void on(const link_event::PeerListens& event, Instant at);
+  void on(const link_event::PeerReaderMatched& event, Instant at);
   void on(const link_event::LinkSample& event, Instant at);
 
   LinkBus& link_;

@@ -81,7 +81,7 @@ void LiveLink::deliver(const RemoteFlow& flow, const link_event::LinkSample& eve
       !flow.rule.stored || backfill_->on_live(*parts_.peers.find(flow.peer), flow, sample);
   if (is_new) backfill_->on_delivery(flow.what, sample, at);
   // Late readers ask for the last sample of a state, whoever has it already.
-  if (is_new || flow.rule.durable) parts_.link.give(flow.id, sample);
+  if (is_new || flow.rule.durable) parts_.link.deliver(flow.id, sample);
 }
 
 void LiveLink::on_remote_reader(const LinkPeer& peer, FlowId flow, Time now) {

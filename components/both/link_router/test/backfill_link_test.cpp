@@ -76,7 +76,7 @@ TEST_F(BackfillLinkTest, ABatchWaitsUntilAReaderOfTheHostHearsItsTopic) {
   EXPECT_THAT(delivered(), IsEmpty());
   EXPECT_EQ(confirmed_number(), 0U) << "it is not done with";
   ASSERT_EQ(script_.offered_here.size(), 1U);
-  script_.happen(link_event::HostListens{script_.offered_here.begin()->first});
+  script_.happen(link_event::HostReaderMatched{script_.offered_here.begin()->first});
   run(0.1);
   EXPECT_THAT(delivered(), IsEmpty()) << "other readers may follow";
   run(0.1);
@@ -95,7 +95,7 @@ TEST_F(BackfillLinkTest, ALiveSampleIsConfirmedWhenReadersOfTheHostHaveFoundItsT
   run(1.1);
   EXPECT_THAT(delivered(), IsEmpty());
   EXPECT_EQ(confirmed_of(peer_flow + 1), 0U) << "else it is lost if this router is killed now";
-  script_.happen(link_event::HostListens{peer_flow});
+  script_.happen(link_event::HostReaderMatched{peer_flow});
   run(0.2);
   receive(3, 12);
   EXPECT_THAT(delivered(), ElementsAre(10, 11, 12));

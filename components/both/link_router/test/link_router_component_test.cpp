@@ -100,7 +100,7 @@ TEST_F(LinkRouterTest, AnAcknowledgementOfAPeersFormerInstanceIsIgnored) {
   begin_peer_flow("link_acknowledgement", acknowledgement_flow);
   const FlowId on_link = begin("heartbeat");
   meet(station + 1);
-  script_.happen(link_event::PeerListens{on_link, station + 1});
+  script_.happen(link_event::PeerReaderMatched{on_link, station + 1});
   write(1);
   run(0.05);
   acknowledge(on_link, 1);

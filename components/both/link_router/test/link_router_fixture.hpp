@@ -51,7 +51,7 @@ class LinkRouterTest : public ::testing::Test {
     run(0);
   }
   void listen(FlowId on_link) {
-    script_.happen(link_event::PeerListens{on_link, station});
+    script_.happen(link_event::PeerReaderMatched{on_link, station});
     run(0);
   }
   void write(std::uint64_t sequence, FlowId id = host_flow, std::uint32_t bytes = 100) {

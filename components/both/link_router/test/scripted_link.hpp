@@ -94,14 +94,14 @@ class ScriptedLinkBus final : public LinkBus {
   }
   void offer(FlowId flow) override {
     script_.offered.push_back(flow);
-    if (script_.host_reads) script_.happen(link_event::HostListens{flow});
+    if (script_.host_reads) script_.happen(link_event::HostReaderMatched{flow});
   }
   FlowId offer(const Flow& flow) override {
     script_.offered_here[++last_] = flow;
-    if (script_.host_reads) script_.happen(link_event::HostListens{last_});
+    if (script_.host_reads) script_.happen(link_event::HostReaderMatched{last_});
     return last_;
   }
-  void give(FlowId flow, const CarriedSample& sample) override {
+  void deliver(FlowId flow, const CarriedSample& sample) override {
     script_.delivered.push_back({flow, sample});
   }
   [[nodiscard]] std::vector<std::uint8_t> bytes_of(const CarriedSample& sample) const override {

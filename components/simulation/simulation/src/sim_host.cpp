@@ -84,7 +84,8 @@ void SimHost::set_router(SimLinkBus* router) {
   }
 }
 
-void SimHost::give(const Flow& flow, const CarriedSample& carried, const Freight& freight) {
+void SimHost::deliver_carried(const Flow& flow, const CarriedSample& carried,
+                              const Freight& freight) {
   if (freight.from == nullptr) return;
   HostTopic& all = topics_[flow.topic];
   Sample sample;

@@ -133,7 +133,7 @@ class SimHost {
   [[nodiscard]] SimLinkBus* router() const { return router_; }
   /// To all readers of this host what a router has carried here; nothing of a message between
   /// routers, which no host has written.
-  void give(const Flow& flow, const CarriedSample& sample, const Freight& freight);
+  void deliver_carried(const Flow& flow, const CarriedSample& sample, const Freight& freight);
 
   SimProcess& add_process(const std::string& name, int life = 0);
   /// Sets the wall clock of this host so much on.

@@ -158,7 +158,7 @@ void SimLinkBus::learn(SimLinkBus& peer, FlowId flow) {
   peer_flows_[{peer.life_, flow}] = id;
   known_[id] = found->second.flow;
   push(link_event::PeerFlow{id, peer.life_, flow, found->second.flow});
-  peer.push(link_event::PeerListens{flow, life_});
+  peer.push(link_event::PeerReaderMatched{flow, life_});
 }
 
 FlowId SimLinkBus::open(const Flow& flow, TrafficClass traffic_class) {
@@ -225,18 +225,18 @@ void SimLinkBus::on_arrived(PeerId peer, FlowId flow, std::uint64_t number,
   push(link_event::LinkSample{found->second, number, sample, network_.core.now});
 }
 
-void SimLinkBus::offer(FlowId peer_flow) { push(link_event::HostListens{peer_flow}); }
+void SimLinkBus::offer(FlowId peer_flow) { push(link_event::HostReaderMatched{peer_flow}); }
 
 FlowId SimLinkBus::offer(const Flow& flow) {
   const FlowId id = ++last_flow_;
   known_[id] = flow;
-  push(link_event::HostListens{id});
+  push(link_event::HostReaderMatched{id});
   return id;
 }
 
-void SimLinkBus::give(FlowId flow, const CarriedSample& sample) {
+void SimLinkBus::deliver(FlowId flow, const CarriedSample& sample) {
   const auto found = known_.find(flow);
-  if (found != known_.end()) host_.give(found->second, sample, freight(sample));
+  if (found != known_.end()) host_.deliver_carried(found->second, sample, freight(sample));
 }
 
 CarriedSample SimLinkBus::pack(const TypeInfo& type, std::shared_ptr<const void> message) const {

@@ -44,7 +44,7 @@ class SimLinkBus final : public LinkBus {
                                                   const CarriedSample& sample) override;
   void offer(FlowId peer_flow) override;
   FlowId offer(const Flow& flow) override;
-  void give(FlowId flow, const CarriedSample& sample) override;
+  void deliver(FlowId flow, const CarriedSample& sample) override;
   /// A number in Network::logged, in as many bytes as the encoded message would have.
   [[nodiscard]] std::vector<std::uint8_t> bytes_of(const CarriedSample& sample) const override;
   [[nodiscard]] CarriedSample sample_of(std::vector<std::uint8_t> bytes) const override;

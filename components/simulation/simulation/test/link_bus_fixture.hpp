@@ -92,7 +92,7 @@ class PlainRouter {
     if (states_.count(flow) != 0) states_[flow] = one.sample;
     numbers.push_back(bus.send(flow, one.sample).value_or(0));
   }
-  void on(const link_event::PeerListens& one) {
+  void on(const link_event::PeerReaderMatched& one) {
     const auto state = states_.find(one.flow);
     if (state != states_.end() && state->second.content) (void)bus.send(one.flow, state->second);
   }

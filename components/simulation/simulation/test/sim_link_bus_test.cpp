@@ -17,8 +17,8 @@ using link_event::HostSample;
 using link_event::PeerFlow;
 using link_event::PeerFlowGone;
 using link_event::PeerFound;
-using link_event::PeerListens;
 using link_event::PeerLost;
+using link_event::PeerReaderMatched;
 
 TEST_F(LinkBusTest, RoutersFindEachOtherATenthOfASecondAfterTheLaterOneIsMade) {
   start(uxv_);
@@ -77,16 +77,16 @@ TEST_F(LinkBusTest, AFlowIsWhatItsWriterAnnounces) {
   EXPECT_TRUE(std::isinf(state.lifespan_s));
 }
 
-TEST_F(LinkBusTest, ThePeerListensATenthOfASecondAfterAFlowIsOpened) {
+TEST_F(LinkBusTest, ThePeersReaderMatchesATenthOfASecondAfterAFlowIsOpened) {
   connect();
   const auto writer = drive_.advertise(endpoint<topic::Location>());
   run_for(0.099);
   EXPECT_EQ(down().count<PeerFlow>(), 0U);
   run_for(0.001);
   EXPECT_EQ(down().count<PeerFlow>(), 1U);
-  ASSERT_EQ(up().count<PeerListens>(), 1U);
-  EXPECT_EQ(up().got<PeerListens>()[0].flow, up().opened.begin()->second);
-  EXPECT_EQ(up().got<PeerListens>()[0].peer, down().bus.self());
+  ASSERT_EQ(up().count<PeerReaderMatched>(), 1U);
+  EXPECT_EQ(up().got<PeerReaderMatched>()[0].flow, up().opened.begin()->second);
+  EXPECT_EQ(up().got<PeerReaderMatched>()[0].peer, down().bus.self());
 }
 
 TEST_F(LinkBusTest, AFlowThatIsClosedBeforeThePeerHearsOfItIsUnknownToIt) {

@@ -13,7 +13,7 @@ using link_event::HostSample;
 using link_event::LinkSample;
 using link_event::PeerFlow;
 using link_event::PeerFound;
-using link_event::PeerListens;
+using link_event::PeerReaderMatched;
 
 TEST_F(LinkBusTest, ASampleReachesEveryProcessOfTheOtherHostOnce) {
   connect();
@@ -217,7 +217,7 @@ TEST_F(LinkBusTest, EveryPeerGetsACopy) {
   const auto writer = drive_.advertise(endpoint<topic::Location>());
   run_for(0.5);
   EXPECT_EQ(up().count<PeerFound>(), 2U);
-  EXPECT_EQ(up().count<PeerListens>(), 2U);
+  EXPECT_EQ(up().count<PeerReaderMatched>(), 2U);
   (void)writer->write(message<topic::Location>());
   run_for(0.1);
   EXPECT_EQ(first_reader.samples.size(), 1U);

@@ -36,12 +36,12 @@ std::string mission_text(const Mission& mission) {
 
 std::string table_text(const char* title, const std::vector<Traffic>& rows) {
   std::string text =
-      fmt::format("\n{:<32}{:>9}{:>7}{:>7}{:>7}{:>14}{:>14}{:>9}\n", title, "received", "filled",
-                  "lost", "lost", "latency [ms]", "age [ms]", "kB/s");
-  text += fmt::format("{:<32}{:>9}{:>7}{:>7}{:>7}{:>14}{:>14}{:>9}\n", "", "live", "in", "", "%",
+      fmt::format("\n{:<32}{:>9}{:>12}{:>7}{:>7}{:>14}{:>14}{:>9}\n", title, "received",
+                  "backfilled", "lost", "lost", "latency [ms]", "age [ms]", "kB/s");
+  text += fmt::format("{:<32}{:>9}{:>12}{:>7}{:>7}{:>14}{:>14}{:>9}\n", "", "live", "", "", "%",
                       "median    p99", "median    p99", "");
   for (const Traffic& row : rows) {
-    text += fmt::format("{:<32}{:>9}{:>7}{:>7}", name_text(row.name), row.received, row.backfilled,
+    text += fmt::format("{:<32}{:>9}{:>12}{:>7}", name_text(row.name), row.received, row.backfilled,
                         row.lost);
     text += cell(row.lost_percent()) + spread_cells(row.latency_s, 1000) +
             spread_cells(row.age_s, 1000) + "  " + cell(row.bytes_per_s / 1000) + "\n";

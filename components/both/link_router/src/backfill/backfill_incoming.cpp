@@ -107,7 +107,7 @@ void BackfillIncoming::deliver(const router::BackfillBatch& batch, Instant at) {
     sample.source = entry.id.source;
     sample.sequence = entry.id.sequence;
     sample.sent_wall_ns = entry.sent_wall_ns;
-    parts_.link.give(known->second.on_host, sample);
+    parts_.link.deliver(known->second.on_host, sample);
     parts_.arrivals.keep(known->second.what, sample, at);
   }
 }

@@ -242,7 +242,7 @@ void FastDdsLinkBus::say_stop(const StopValue& value) {
 void FastDdsLinkBus::offer(FlowId id, const Flow& flow) {
   const std::string topic = table_.names().on_wire(flow.topic);
   const auto on_reader = [this, id](const auto& reader) {
-    if (reader != host_.prefix()) table_.push(link_event::HostListens{id});
+    if (reader != host_.prefix()) table_.push(link_event::HostReaderMatched{id});
   };
   try {
     auto& writer = giving_[id];
@@ -264,7 +264,7 @@ FlowId FastDdsLinkBus::offer(const Flow& flow) {
   return id;
 }
 
-void FastDdsLinkBus::give(FlowId flow, const CarriedSample& sample) {
+void FastDdsLinkBus::deliver(FlowId flow, const CarriedSample& sample) {
   const auto found = giving_.find(flow);
   if (found != giving_.end()) (void)found->second->write(sample);
 }

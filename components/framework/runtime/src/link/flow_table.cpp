@@ -142,7 +142,7 @@ void FlowTable::apply(const PeerInstances::Change& change) {
         link_event::PeerFlow{id, *change.joined, wire_id_of(guid.entityId), flows_.at(id).flow});
   }
   for (const FlowId flow : listens_[*change.joined]) {
-    events_.push_back(link_event::PeerListens{flow, *change.joined});
+    events_.push_back(link_event::PeerReaderMatched{flow, *change.joined});
   }
 }
 
@@ -193,7 +193,7 @@ void FlowTable::on_peer_listens(const Participant& participant, FlowId flow) {
     const std::lock_guard<std::mutex> lock(mutex_);
     const PeerId peer = peer_of(participant);
     listens_[peer].insert(flow);
-    events_.push_back(link_event::PeerListens{flow, peer});
+    events_.push_back(link_event::PeerReaderMatched{flow, peer});
   }
   on_event_();
 }

@@ -192,12 +192,12 @@ TEST_F(LinkBusTest, AFlowThatIsNoPeersIsGivenFromTheBytesOfALog) {
   bool is_heard = false;
   EXPECT_TRUE(eventually([&] {
     while (const auto event = link->take()) {
-      const auto* const listens = std::get_if<link_event::HostListens>(&*event);
+      const auto* const listens = std::get_if<link_event::HostReaderMatched>(&*event);
       is_heard = is_heard || (listens != nullptr && listens->flow == on_host);
     }
     return is_heard;
   }));
-  link->give(on_host, again);
+  link->deliver(on_host, again);
   ASSERT_TRUE(eventually([&] { return !there.all().empty(); }));
   EXPECT_EQ(there.all().front().source, 4711U);
   EXPECT_EQ(there.all().front().sequence, 12U);

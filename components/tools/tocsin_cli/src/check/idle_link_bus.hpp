@@ -24,7 +24,7 @@ class IdleLinkBus final : public LinkBus {
   }
   void offer(FlowId) override {}
   FlowId offer(const Flow&) override { return ++last_; }
-  void give(FlowId, const CarriedSample&) override {}
+  void deliver(FlowId, const CarriedSample&) override {}
   [[nodiscard]] std::vector<std::uint8_t> bytes_of(const CarriedSample&) const override {
     return {};
   }

@@ -86,11 +86,11 @@ struct PeerFlow {  ///< a peer's router begins to write on the link
 struct PeerFlowGone {
   FlowId flow;
 };
-struct PeerListens {  ///< a peer's router has begun to read what is sent on a flow of `open`
+struct PeerReaderMatched {  ///< a peer's router has begun to read what is sent on a flow of `open`
   FlowId flow;
   PeerId peer;
 };
-struct HostListens {  ///< a reader of this host hears a flow of `offer`
+struct HostReaderMatched {  ///< a reader of this host hears a flow of `offer`
   FlowId flow;
 };
 struct LinkSample {
@@ -103,8 +103,8 @@ struct LinkSample {
 using LinkEvent =
     std::variant<link_event::HostFlow, link_event::HostFlowGone, link_event::HostSample,
                  link_event::PeerFound, link_event::PeerLost, link_event::PeerFlow,
-                 link_event::PeerFlowGone, link_event::PeerListens, link_event::HostListens,
-                 link_event::LinkSample>;
+                 link_event::PeerFlowGone, link_event::PeerReaderMatched,
+                 link_event::HostReaderMatched, link_event::LinkSample>;
 
 /// IP packets that a host's router has put on the link since its start, by what is in them.
 struct LinkPackets {
@@ -140,13 +140,13 @@ class LinkBus {
   /// the middleware refused it, or the link is not up.
   [[nodiscard]] virtual std::optional<std::uint64_t> send(FlowId flow,
                                                           const CarriedSample& sample) = 0;
-  /// Makes the writer on this host of a peer's flow. A HostListens tells of each reader of another
-  /// process that hears it from then on.
+  /// Makes the writer on this host of a peer's flow. A HostReaderMatched reports each reader of
+  /// another process that it matches from then on.
   virtual void offer(FlowId peer_flow) = 0;
-  /// The same of a flow that is no peer's, under a number for `give`.
+  /// The same of a flow that is no peer's, under a number for `deliver`.
   virtual FlowId offer(const Flow& flow) = 0;
   /// Writes there, as from the sample's own writer.
-  virtual void give(FlowId flow, const CarriedSample& sample) = 0;
+  virtual void deliver(FlowId flow, const CarriedSample& sample) = 0;
 
   /// What a log keeps of a sample, and back. In a simulation only for its own world.
   [[nodiscard]] virtual std::vector<std::uint8_t> bytes_of(const CarriedSample& sample) const = 0;

@@ -90,13 +90,13 @@ class Relay {
     const std::lock_guard<std::mutex> lock(mutex_);
     gone_.push_back(event.flow);
   }
-  void on(LinkBus&, const link_event::PeerListens&) {}
-  void on(LinkBus&, const link_event::HostListens& event) {
+  void on(LinkBus&, const link_event::PeerReaderMatched&) {}
+  void on(LinkBus&, const link_event::HostReaderMatched& event) {
     const std::lock_guard<std::mutex> lock(mutex_);
     heard_.push_back(event.flow);
   }
   void on(LinkBus& bus, const link_event::LinkSample& event) {
-    bus.give(event.flow, event.sample);
+    bus.deliver(event.flow, event.sample);
     const std::lock_guard<std::mutex> lock(mutex_);
     crossed_.push_back(event);
   }
