@@ -8,6 +8,7 @@ import { type OccupancyGrid, type Topic, type Topics, isTopicRead, topicsRead } 
 import { Station } from "./model/station.ts";
 import { ManualDriving } from "./operator/driving.ts";
 import { OperatorMission } from "./operator/mission.ts";
+import { OperatorPlace } from "./operator/place.ts";
 import { Recordings } from "./operator/recordings.ts";
 import { EmergencyStopOrder, type StopHeard } from "./orders/emergency_stop.ts";
 import { WhatIfQuery } from "./orders/what_if_query.ts";
@@ -28,6 +29,7 @@ export class Operator {
   readonly stop = new EmergencyStopOrder();
   readonly driving: ManualDriving;
   readonly mission: OperatorMission;
+  readonly place: OperatorPlace;
   readonly recordings: Recordings;
   readonly whatIf: WhatIfQuery;
   server: ServerInfo | undefined;
@@ -49,6 +51,7 @@ export class Operator {
       onFault: (text) => this.#say("error", "mission", text),
       onChange: () => ++this.version,
     });
+    this.place = new OperatorPlace(this.live, this.connection, (text) => this.#say("error", "position", text));
     this.whatIf = new WhatIfQuery((query) => this.#files.whatIf(query), (host) => {
       const last = this.live.side(host).decisions.decisions.at(-1);
       return last?.made === undefined ? undefined : last.at - last.made;
@@ -80,6 +83,7 @@ export class Operator {
     this.connection.tick();
     this.#tickStop(now);
     this.mission.tick(now);
+    this.place.tick(now);
     this.driving.tick(now);
     this.recordings.tick(now);
     if (this.recordings.player === undefined) this.whatIf.tick(now);

@@ -13,6 +13,7 @@ import { SourceClock, stampMs } from "../src/model/source_clock.ts";
 import { Station, hindrances } from "../src/model/station.ts";
 import { TrafficTable } from "../src/model/traffic.ts";
 import { Trail, longestTrail } from "../src/model/trail.ts";
+import type * as m from "../src/model/messages.ts";
 import * as make from "./messages.ts";
 
 describe("Freshness", () => {
@@ -331,6 +332,21 @@ describe("Journal", () => {
 });
 
 describe("Station", () => {
+  it("puts tiles that changed into its map, and none that is of another one", () => {
+    const sut = new Station();
+    const tile = (changes: Partial<m.OccupancyGridUpdate>) =>
+      ({ header: { stamp: make.stampOf(0), frame_id: "map" }, x: 1, y: 1, width: 2, height: 1, data: Int8Array.of(100, 0), ...changes });
+    sut.onMessage("map_updates", tile({}), 1);
+    assert.equal(sut.map, undefined, "there is no map yet");
+    sut.onMessage("map", make.grid(0.05, 3, Int8Array.of(-1, -1, -1, -1, -1, -1)), 2);
+    const before = sut.map;
+    for (const bad of [{ x: 2 }, { y: 2 }, { x: -1 }, { height: 2 }, { data: Int8Array.of(1) }]) sut.onMessage("map_updates", tile(bad), 3);
+    assert.equal(sut.map, before);
+    sut.onMessage("map_updates", tile({}), 4);
+    const cells = (map: unknown): number[] => Array.from((map as m.OccupancyGrid).data);
+    assert.deepEqual(cells(sut.map), [-1, -1, -1, -1, 100, 0]);
+    assert.deepEqual(cells(before), [-1, -1, -1, -1, -1, -1], "who has drawn it has its own");
+  });
   it("keeps where the vehicle is, and its trail coloured by the link", () => {
     const sut = new Station();
     sut.onMessage("transmission_state", make.transmission({ qni: 20, active: false }), 900);

@@ -2,6 +2,9 @@
 import assert from "node:assert/strict";
 import { describe, it } from "node:test";
 
+import type * as m from "../src/model/messages.ts";
+import { Station } from "../src/model/station.ts";
+import { OperatorPlace } from "../src/operator/place.ts";
 import { ControlAuthority, type DriveConditions, cameraLimitMs, vehicleLimitMs, whyNotDrive } from "../src/orders/control_authority.ts";
 import { EmergencyStopOrder, type StopHeard } from "../src/orders/emergency_stop.ts";
 import { MissionOrder, leads } from "../src/orders/mission_order.ts";
@@ -10,6 +13,55 @@ import { TeleopSender, standing } from "../src/orders/teleop_sender.ts";
 import * as make from "./messages.ts";
 
 const station = (asked: string, vehicle: string) => make.stopState({ asked, vehicle });
+
+describe("OperatorPlace", () => {
+  const rig = (connected = true) => {
+    const live = new Station();
+    const sent: { pose: m.PoseWithCovarianceStamped["pose"] }[] = [];
+    const faults: string[] = [];
+    const publish = (_: unknown, message: unknown): boolean => connected && sent.push(message as (typeof sent)[0]) > 0;
+    return { live, sent, faults, sut: new OperatorPlace(live, { publish }, (text) => faults.push(text)) };
+  };
+  const drag = (sut: OperatorPlace) => {
+    sut.toggle();
+    sut.press({ x: 1, y: 2 });
+    sut.turn(Math.PI / 2);
+    sut.release(1000);
+  };
+
+  it("sends where the vehicle is once, and puts the tool back", () => {
+    const { sut, sent, faults, live } = rig();
+    drag(sut);
+    assert.deepEqual([sut.isArmed, sut.place, sent.length], [false, undefined, 1]);
+    assert.deepEqual(sent[0]?.pose.pose.position, { x: 1, y: 2, z: 0 });
+    assert.ok(Math.abs((sent[0]?.pose.pose.orientation.z ?? 0) - Math.SQRT1_2) < 1e-12);
+    live.onMessage("location", make.location(1.5, 2), 2000);
+    sut.tick(2000);
+    sut.tick(9000);
+    assert.deepEqual(faults, []);
+  });
+  it("tells that the vehicle does not follow", () => {
+    const { sut, faults, live } = rig();
+    drag(sut);
+    live.onMessage("location", make.location(4, 2), 2000);
+    sut.tick(6000);
+    assert.deepEqual(faults, []);
+    sut.tick(6001);
+    assert.match(faults[0] ?? "", /has not taken the place/);
+  });
+  it("tells at once that it could not be sent, and sends nothing that was not pressed or was taken back", () => {
+    const { sut, faults } = rig(false);
+    drag(sut);
+    assert.match(faults[0] ?? "", /no connection/);
+    const other = rig();
+    other.sut.toggle();
+    other.sut.release(1);
+    other.sut.press({ x: 1, y: 2 });
+    other.sut.takeBack();
+    other.sut.release(2);
+    assert.equal(other.sent.length, 0);
+  });
+});
 
 describe("EmergencyStopOrder", () => {
   const heard = (changes: Partial<StopHeard>): StopHeard => ({

@@ -186,7 +186,7 @@ struct AmclPose {
 /// Where a person says the vehicle is, frame map.
 struct InitialPose {
   using Message = geometry_msgs::msg::PoseWithCovarianceStamped;
-  static constexpr TopicInfo info{"initialpose", "event", Scope::host, Requests::anything};
+  static constexpr TopicInfo info{"initialpose", "command", Scope::link, Requests::anything};
 };
 /// True stops the vehicle; it stands until everybody who said true has said false, see
 /// EmergencyStopLatch. Anybody on the vehicle's or a station's host may stop it, so every writer
@@ -277,16 +277,16 @@ struct ContainerState {
   static constexpr TopicInfo info{"container_state", "state", Scope::host};
 };
 
-using AllLinkTopics = List<Location, NetworkQuality, NavigationStatus, BatteryState, MemoryUsage,
-                           CpuLoad, CpuTemperature, CameraImage, Goal, MissionStatus, SafetyStatus,
-                           DockingStatus, TeleopCmdVel, DriverState, DriverRequest, DockingCommand,
-                           Heartbeat, TransmissionState, TrafficReport, LinkState>;
+using AllLinkTopics = List<Location, InitialPose, NetworkQuality, NavigationStatus, BatteryState,
+                           MemoryUsage, CpuLoad, CpuTemperature, CameraImage, Goal, MissionStatus,
+                           SafetyStatus, DockingStatus, TeleopCmdVel, DriverState, DriverRequest,
+                           DockingCommand, Heartbeat, TransmissionState, TrafficReport, LinkState>;
 
 using AllHostTopics =
     List<CmdVel, Odom, JointStates, Imu, Tf, TfStatic, Scan, Diagnostics, CmdVelNavigation,
          CmdVelDocking, CmdVelTeleop, CmdVelSelected, CmdVelSmoothed, MuxActive, MuxInputs,
          MuxSetInputs, SafetyEnable, EmergencyStop, LinkStop, EmergencyStopRequest,
-         EmergencyStopState, MissionPath, MissionCommand, Map, MapUpdates, AmclPose, InitialPose,
-         LinkBudget, LogRequest, ContainerState>;
+         EmergencyStopState, MissionPath, MissionCommand, Map, MapUpdates, AmclPose, LinkBudget,
+         LogRequest, ContainerState>;
 
 }  // namespace tocsin::topic

@@ -140,6 +140,12 @@ export function drawDraft(sheet: Sheet, { places, selected }: MissionDraft, way:
   });
 }
 
+/** Where a person says the vehicle is. */
+export function drawPlace(sheet: Sheet, place: Waypoint): void {
+  drawGoal(sheet, place, "");
+  drawRing(sheet, place);
+}
+
 function drawRing(sheet: Sheet, place: Point): void {
   at(sheet, place, 0, () => {
     sheet.context.beginPath();

@@ -4,7 +4,7 @@ import { type Freshness, freshness } from "../model/freshness.ts";
 import type { OccupancyGrid, Waypoint } from "../model/messages.ts";
 import type { Operator } from "../operator.ts";
 import { Backdrop, type Layer } from "./backdrop.ts";
-import { type Sheet, drawDraft, drawEllipse, drawLine, drawRoute, drawScale, drawVehicle } from "./draw.ts";
+import { type Sheet, drawDraft, drawEllipse, drawLine, drawPlace, drawRoute, drawScale, drawVehicle } from "./draw.ts";
 import { gridPixels, knownBounds } from "./grid.ts";
 import { MapHands } from "./map_hands.ts";
 import { type Theme, readTheme } from "./theme.ts";
@@ -142,6 +142,7 @@ export class MapCanvas {
     }
     if (station.location) this.#drawVehicle(sheet, station.location.value, station.location.at, now);
     if (draft) drawDraft(sheet, draft, this.#draftWay.through(map, place, draft.places));
+    if (this.operator.place.place) drawPlace(sheet, this.operator.place.place);
     if (!this.#way.isComplete || !this.#draftWay.isComplete) this.touch();
     drawScale(sheet);
   }

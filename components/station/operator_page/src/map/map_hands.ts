@@ -58,6 +58,7 @@ export class MapHands {
     const { station } = this.operator;
     const { draft } = this.operator.mission;
     if (this.#pointers.size > 1) return this.#takeBack();
+    if (this.operator.place.isArmed) return this.#placed(() => this.operator.place.press(this.map.view.toMap(pixel, this.map.size())));
     if (draft === undefined) return;
     const place = this.map.view.toMap(pixel, this.map.size());
     const taken = placeAt(draft, place, reachPx / this.map.view.scale);
@@ -69,6 +70,14 @@ export class MapHands {
   #takeBack(): void {
     if (this.#edit && this.operator.mission.draft) this.#setDraft(this.#edit.before);
     this.#edit = undefined;
+    this.operator.place.takeBack();
+  }
+
+  /** The place of the vehicle is being dragged, or has been. */
+  #placed(change: () => void): void {
+    change();
+    this.map.touch();
+    this.map.onChange();
   }
 
   #move = (event: PointerEvent): void => {
@@ -76,6 +85,8 @@ export class MapHands {
     if (before === undefined) return;
     const pixel = this.#pixelOf(event);
     const others = [...this.#pointers].filter(([id]) => id !== event.pointerId);
+    const { place } = this.operator.place;
+    if (place) return this.#turned(place, pixel, (yaw) => this.#placed(() => this.operator.place.turn(yaw)));
     if (this.#edit && this.operator.mission.draft) return this.#edited(this.#edit.kind, this.operator.mission.draft, pixel);
     this.#pointers.set(event.pointerId, pixel);
     const other = others[0]?.[1];
@@ -86,6 +97,7 @@ export class MapHands {
   #up = (event: PointerEvent): void => {
     this.#pointers.delete(event.pointerId);
     this.#edit = undefined;
+    if (this.operator.place.place) this.#placed(() => this.operator.place.release(this.operator.now()));
   };
 
   #wheel = (event: WheelEvent): void => {
@@ -107,9 +119,13 @@ export class MapHands {
     if (kind === "move") return this.#setDraft(moveTo(draft, this.map.view.toMap(pixel, this.map.size())));
     const place = draft.places[draft.selected ?? 0];
     if (place === undefined) return;
+    this.#turned(place, pixel, (yaw) => this.#setDraft(turnTo(draft, yaw)));
+  }
+
+  /** The pointer is far enough from a place to say a heading. */
+  #turned(place: Point, pixel: Point, turn: (yaw: number) => void): void {
     const from = this.map.view.toScreen(place, this.map.size());
-    if (distance(from, pixel) < headingDragPx) return;
-    this.#setDraft(turnTo(draft, Math.atan2(from.y - pixel.y, pixel.x - from.x)));
+    if (distance(from, pixel) >= headingDragPx) turn(Math.atan2(from.y - pixel.y, pixel.x - from.x));
   }
 
   #setDraft(draft: MissionDraft | undefined): void {
@@ -136,6 +152,7 @@ export class MapHands {
       "-": () => this.map.zoom(1 / 1.4),
       "0": () => this.map.fit(),
       f: () => this.map.follow(!this.map.follows),
+      l: () => operator.recordings.player ?? operator.place.toggle(),
       g: () => (operator.mission.draft = operator.mission.draft ? undefined : this.#firstDraft()),
     };
     const action = actions[event.key] ?? (operator.mission.draft ? this.#draftAction(event.key, operator.mission.draft) : undefined);

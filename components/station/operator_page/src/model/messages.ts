@@ -31,6 +31,7 @@ export type ContainerState = tocsin_msgs.ContainerState;
 export type DiagnosticArray = diagnostic_msgs.DiagnosticArray;
 export type Log = rcl_interfaces.Log;
 export type OccupancyGrid = nav_msgs.OccupancyGrid;
+export type OccupancyGridUpdate = map_msgs.OccupancyGridUpdate;
 export type Path = nav_msgs.Path;
 
 const of = <Message>(): Message => undefined as unknown as Message;
@@ -60,6 +61,7 @@ const topics = {
   diagnostics: of<DiagnosticArray>(),
   rosout: of<Log>(),
   map: of<OccupancyGrid>(),
+  map_updates: of<OccupancyGridUpdate>(),
   plan: of<Path>(),
 };
 

@@ -32,6 +32,7 @@ import {
   type Waypoint,
   roleOf,
 } from "./messages.ts";
+import { withTile } from "./map_update.ts";
 import { reasonText } from "./reasons.ts";
 import { Route } from "./route.ts";
 import { DecisionSeries } from "./series.ts";
@@ -180,6 +181,7 @@ export class Station {
     diagnostics: (message, at) => this.#onDiagnostics(message, at),
     rosout: (message, at) => this.#onLog(message, at),
     map: (value) => (this.map = value),
+    map_updates: (tile) => (this.map = (this.map && withTile(this.map, tile)) ?? this.map),
     plan: (value, at) => (this.plan = { value, at }),
   };
 

@@ -28,14 +28,20 @@ export function MapPanel({ operator }: { operator: Operator }) {
     <Panel name="map" title="Map" aside={<Legend />}>
       <div class="map-frame">
         <canvas ref={element} tabIndex={0} aria-label="Map: drag to move, wheel or + and - to zoom" />
-        <Tools map={map} drafts={draft !== undefined} onMission={() => setDraft(draft ? undefined : emptyDraft)} />
+        <Tools operator={operator} map={map} onMission={() => setDraft(draft ? undefined : emptyDraft)} />
       </div>
+      {operator.place.isArmed && <p class="mission-bar" role="status">Press where the vehicle is, drag for its heading.</p>}
       {draft && <MissionBar operator={operator} setDraft={setDraft} />}
     </Panel>
   );
 }
 
-function Tools({ map, drafts, onMission }: { map: RefObject<MapCanvas | undefined>; drafts: boolean; onMission: () => void }) {
+function Tools({ operator, map, onMission }: { operator: Operator; map: RefObject<MapCanvas | undefined>; onMission: () => void }) {
+  const onPlace = (): void => {
+    operator.place.toggle();
+    map.current?.touch();
+    map.current?.onChange();
+  };
   return (
     <div class="tools">
       <button type="button" title="Zoom in (+)" onClick={() => map.current?.zoom(1.4)}>+</button>
@@ -49,7 +55,16 @@ function Tools({ map, drafts, onMission }: { map: RefObject<MapCanvas | undefine
       >
         Follow
       </button>
-      <button type="button" title="Choose places (G)" aria-pressed={drafts} onClick={onMission}>Mission</button>
+      <button type="button" title="Choose places (G)" aria-pressed={operator.mission.draft !== undefined} onClick={onMission}>Mission</button>
+      <button
+        type="button"
+        title="Say where the vehicle is (L)"
+        aria-pressed={operator.place.isArmed}
+        disabled={operator.recordings.player !== undefined}
+        onClick={onPlace}
+      >
+        Place
+      </button>
     </div>
   );
 }

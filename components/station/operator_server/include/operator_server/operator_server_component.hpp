@@ -41,7 +41,8 @@ class OperatorServerComponent final : public Component {
     std::vector<std::string> origins;
     std::vector<std::string> writable{
         "/goal",           "/emergency_stop/request", "/teleop/cmd_vel",
-        "/teleop/request", "/mission/command",        "/docking/command"};
+        "/teleop/request", "/mission/command",        "/docking/command",
+        "/initialpose"};
     int backlog = 16;
     int most_connections = 64;
     double frame_mib = 1;
