@@ -73,7 +73,7 @@ void feed(ByteView bytes) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
-  using tocsin::kobuki::ByteView;
+  using tocsin::ByteView;
   tocsin::kobuki::feed({data, size});
   tocsin::kobuki::use({data, std::min<std::size_t>(size, 255)});  // decoders without a checksum
   return 0;

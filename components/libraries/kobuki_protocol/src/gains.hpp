@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "kobuki_protocol/bytes.hpp"
+#include "foundation/bytes.hpp"
 #include "kobuki_protocol/feedback.hpp"
 
 namespace tocsin::kobuki {

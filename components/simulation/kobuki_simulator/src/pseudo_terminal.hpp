@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "foundation/bytes.hpp"
 #include "foundation/file_descriptor.hpp"
-#include "kobuki_protocol/bytes.hpp"
 
 namespace tocsin::kobuki {
 

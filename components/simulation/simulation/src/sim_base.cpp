@@ -107,12 +107,12 @@ void SimBase::advance() {
 }
 
 void SimBase::step_model() {
-  model_.step(core_.now, [this](Time sent, kobuki::ByteView frame) { line_.send(frame, sent); });
+  model_.step(core_.now, [this](Time sent, ByteView frame) { line_.send(frame, sent); });
 }
 
 void SimBase::deliver() {
   const std::size_t before = arrived_.size();
-  line_.deliver_all(core_.now, [this](kobuki::ByteView packet) {
+  line_.deliver_all(core_.now, [this](ByteView packet) {
     if (readable_) arrived_.insert(arrived_.end(), packet.begin(), packet.end());
   });
   if (arrived_.size() == before) return;

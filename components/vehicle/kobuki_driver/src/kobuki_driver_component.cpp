@@ -124,7 +124,7 @@ void KobukiDriverComponent::read_port(Time now) {
     const auto count = port_->read(received_.data(), received_.size());
     if (!count) return close("was lost");
     if (*count == 0) return;
-    const kobuki::ByteView bytes{received_.data(), *count};
+    const ByteView bytes{received_.data(), *count};
     if (serial_topics_ && !serial_topics_->received(bytes)) {
       log().warn("received bytes were not published");
     }
@@ -133,7 +133,7 @@ void KobukiDriverComponent::read_port(Time now) {
   }
 }
 
-void KobukiDriverComponent::send(kobuki::ByteView bytes) {
+void KobukiDriverComponent::send(ByteView bytes) {
   if (!port_) return;
   if (!port_->write(bytes.data, bytes.size)) write_failed_ = true;
   if (serial_topics_ && !serial_topics_->sent(bytes)) log().warn("sent bytes were not published");

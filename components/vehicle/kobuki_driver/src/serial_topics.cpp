@@ -8,7 +8,7 @@
 namespace tocsin {
 namespace {
 
-std_msgs::msg::String hex(kobuki::ByteView bytes) {
+std_msgs::msg::String hex(ByteView bytes) {
   static constexpr char digits[] = "0123456789abcdef";
   std::string text;
   text.reserve(3 * bytes.size);
@@ -26,11 +26,11 @@ std_msgs::msg::String hex(kobuki::ByteView bytes) {
 
 SerialTopics::SerialTopics(Component& owner) : received_(owner), sent_(owner), control_(owner) {}
 
-bool SerialTopics::received(kobuki::ByteView bytes) {
+bool SerialTopics::received(ByteView bytes) {
   return received_.write(hex(bytes)) != Status::failed;
 }
 
-bool SerialTopics::sent(kobuki::ByteView frame) {
+bool SerialTopics::sent(ByteView frame) {
   bool ok = sent_.write(hex(frame)) != Status::failed;
   kobuki::DecodeCounts counts;
   kobuki::decode_commands(frame.part(3, frame.size - 4), counts, [&](const auto& command) {

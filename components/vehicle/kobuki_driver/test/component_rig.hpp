@@ -16,7 +16,7 @@
 
 namespace tocsin {
 
-using kobuki::ByteView;
+using ByteView;
 
 /// A base in the bus's virtual time and the cable to it.
 struct Base {

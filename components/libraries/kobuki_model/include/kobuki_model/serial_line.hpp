@@ -7,8 +7,8 @@
 #include <random>
 #include <vector>
 
+#include "foundation/bytes.hpp"
 #include "foundation/time.hpp"
-#include "kobuki_protocol/bytes.hpp"
 
 namespace tocsin::kobuki {
 

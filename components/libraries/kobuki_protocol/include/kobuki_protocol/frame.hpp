@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "kobuki_protocol/bytes.hpp"
+#include "foundation/bytes.hpp"
 
 namespace tocsin::kobuki {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "kobuki_protocol/bytes.hpp"
+#include "foundation/bytes.hpp"
 #include "kobuki_protocol/frame.hpp"
 
 namespace tocsin::kobuki {

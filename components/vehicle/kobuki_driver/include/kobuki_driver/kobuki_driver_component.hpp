@@ -60,7 +60,7 @@ class KobukiDriverComponent final : public Component {
   void take_emergency_stop(Time now);
   void take_commands(Time now);
   void read_port(Time now);
-  void send(kobuki::ByteView bytes);
+  void send(ByteView bytes);
   void publish(const kobuki::Reading& reading, Time now);
   /// Tells what of state, versions and gains has changed.
   void report();
@@ -78,7 +78,7 @@ class KobukiDriverComponent final : public Component {
   FrameTopics frame_topics_;
   std::optional<SerialTopics> serial_topics_;
   kobuki::KobukiDriver driver_;
-  const kobuki::KobukiDriver::ByteSink to_port_ = [this](kobuki::ByteView bytes) { send(bytes); };
+  const kobuki::KobukiDriver::ByteSink to_port_ = [this](ByteView bytes) { send(bytes); };
   kobuki::OdometryFile file_;
   StopFile stop_file_;
   std::unique_ptr<SerialDevice> port_;

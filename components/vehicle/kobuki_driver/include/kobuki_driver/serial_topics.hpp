@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "foundation/bytes.hpp"
 #include "kobuki_idl/topics.hpp"
-#include "kobuki_protocol/bytes.hpp"
 #include "runtime/component.hpp"
 #include "runtime/port.hpp"
 
@@ -14,9 +14,9 @@ class SerialTopics {
  public:
   explicit SerialTopics(Component& owner);
   /// False when the text was refused.
-  [[nodiscard]] bool received(kobuki::ByteView bytes);
+  [[nodiscard]] bool received(ByteView bytes);
   /// Takes one frame.
-  [[nodiscard]] bool sent(kobuki::ByteView frame);
+  [[nodiscard]] bool sent(ByteView frame);
 
  private:
   Output<topic::RawStream> received_;

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace tocsin::kobuki {
+namespace tocsin {
 
 /// Bytes that somebody else owns. Valid as long as the owner leaves them in place.
 struct ByteView {
@@ -73,4 +73,4 @@ class ByteWriter {
   std::size_t at_ = 0;
 };
 
-}  // namespace tocsin::kobuki
+}  // namespace tocsin
