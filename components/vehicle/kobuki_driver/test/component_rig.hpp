@@ -16,7 +16,6 @@
 
 namespace tocsin {
 
-using ByteView;
 
 /// A base in the bus's virtual time and the cable to it.
 struct Base {
