@@ -12,6 +12,7 @@
 #include <cstring>
 
 #include "foundation/file_descriptor.hpp"
+#include "line_speed.hpp"
 #include "port_holder.hpp"
 
 namespace tocsin {
@@ -30,6 +31,11 @@ class SerialPort final : public SerialDevice {
     if (count > 0) return static_cast<std::size_t>(count);
     if (count < 0 && (errno == EAGAIN || errno == EINTR)) return 0;
     return std::nullopt;  // 0 is a hang-up: VMIN is 1
+  }
+  bool set_speed(unsigned baud) override { return set_line_speed(port_.get(), baud); }
+  bool set_dtr(bool on) override {
+    const int line = TIOCM_DTR;
+    return ::ioctl(port_.get(), on ? TIOCMBIS : TIOCMBIC, &line) == 0;
   }
   bool write(const std::uint8_t* bytes, std::size_t size) override {
     const auto count = ::write(port_.get(), bytes, size);

@@ -47,7 +47,7 @@ TEST(ScanMessage, RefusesWhatIsNoScan) {
       {"first angle", [](Message& m) { m.angle_min(none); }},
       {"increment", [](Message& m) { m.angle_increment(none); }},
       {"more than a turn", [](Message& m) { m.angle_increment(7); }},
-      {"time runs back", [](Message& m) { m.time_increment(-0.1F); }},
+      {"a beam takes a second", [](Message& m) { m.time_increment(-1); }},
       {"time is none", [](Message& m) { m.time_increment(none); }},
       {"no range", [](Message& m) { m.range_max(0.15F); }},
       {"negative range", [](Message& m) { m.range_min(-1); }},

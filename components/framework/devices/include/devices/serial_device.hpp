@@ -9,8 +9,8 @@
 
 namespace tocsin {
 
-/// A serial port for ourselves alone: 115200 baud, 8N1, raw. What was waiting in it is discarded at
-/// opening. Nothing blocks or throws.
+/// A serial port for ourselves alone: 8N1, raw, 115200 baud at first. What was waiting in it is
+/// discarded at opening. Nothing blocks or throws.
 class SerialDevice : public Device {
  public:
   static constexpr const char* kind = "serial port";
@@ -19,6 +19,10 @@ class SerialDevice : public Device {
                                                         std::size_t /*size*/) {
     return 0;
   }
+  /// Another speed [Bd] from now on. False when the port cannot.
+  [[nodiscard]] virtual bool set_speed(unsigned /*baud*/) { return true; }
+  /// The line "data terminal ready". False when the port has none, as a pseudo-terminal.
+  [[nodiscard]] virtual bool set_dtr(bool /*on*/) { return false; }
   /// False when the port is lost; bytes that do not fit are dropped.
   [[nodiscard]] virtual bool write(const std::uint8_t* /*bytes*/, std::size_t /*size*/) {
     return true;

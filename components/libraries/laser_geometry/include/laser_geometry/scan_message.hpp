@@ -14,8 +14,9 @@ namespace tocsin::laser {
 
 /// A sensor_msgs/LaserScan as points in the frame of the vehicle at the message's stamp, which is
 /// that of its first beam. `laser` is the place of its frame on the vehicle, `velocity` that of the
-/// vehicle. The ranges that the message allows narrow those of `params`. Empty when the message is
-/// none: no readings, or angles, times and ranges that are not finite or contradict each other.
+/// vehicle. Beams may be told backwards in time. The ranges that the message allows narrow those of
+/// `params`. Empty when the message is none: no readings, or angles, times and ranges that are not
+/// finite or contradict each other.
 template <class LaserScan>
 [[nodiscard]] std::optional<Scan> scan_of(const LaserScan& message, const geometry::Pose& laser,
                                           const geometry::Twist& velocity, ScanParams params = {}) {
@@ -24,7 +25,7 @@ template <class LaserScan>
   const double turn_rad = beams.increment_rad * static_cast<double>(message.ranges().size());
   const bool is_valid = !message.ranges().empty() && std::isfinite(beams.first_rad) &&
                         std::isfinite(turn_rad) && std::abs(turn_rad) < 2.1 * pi &&
-                        beams.interval_s >= 0 && beams.interval_s < 1 && message.range_min() >= 0 &&
+                        std::abs(beams.interval_s) < 1 && message.range_min() >= 0 &&
                         message.range_max() > message.range_min();
   if (!is_valid) return std::nullopt;
   params.min_range_m = std::max(params.min_range_m, static_cast<double>(message.range_min()));
