@@ -21,6 +21,8 @@ namespace tocsin::kobuki {
 ///     silence SECONDS     no bytes for a time
 ///     unplug [SECONDS]    pulls the cable, for ever without a time
 ///     plug                puts it back
+///     laser VERB          unplug, plug, stall, free, cover (its left half), uncover; of the
+///                         simulator, for its laser
 ///     reset               switches the base off and on
 ///
 /// A `set` with one bad entry changes nothing.

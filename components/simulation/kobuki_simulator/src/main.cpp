@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
     if (!options) return exit_code;
     if (options->check) {
       const tocsin::Time now{};
-      (void)make_model(*options, now);
+      (void)make_model(*options, make_room(*options), now);
       (void)tocsin::kobuki::Script(options->script, options->script_file, now);
       return 0;
     }

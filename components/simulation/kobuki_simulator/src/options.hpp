@@ -8,6 +8,8 @@
 #include "files.hpp"
 #include "geometry/pose.hpp"
 #include "kobuki_model/base_settings.hpp"
+#include "laser_model/room.hpp"
+#include "laser_terminal.hpp"
 
 namespace tocsin::kobuki {
 
@@ -15,10 +17,12 @@ namespace tocsin::kobuki {
 struct Options {
   std::string link;
   std::string walls;
+  std::string obstacles;
   geometry::Pose start;
   std::optional<geometry::Pose> dock;
   std::uint64_t seed = 1;
   BaseSettings settings;
+  LaserTerminal::Params laser;  ///< no link: none
   std::string position;
   std::string control;
   std::string state;
@@ -32,8 +36,10 @@ struct Options {
 [[nodiscard]] std::optional<Options> parse_options(int argc, const char* const* argv,
                                                    int& exit_code);
 
+/// Where it is. Throws ConfigError for bad files.
+[[nodiscard]] laser::Room make_room(const Options& options);
 /// The base that the options describe, powered on at `now`, where an earlier run left it if there
 /// is a state file. Throws ConfigError, also when it would stand in a wall.
-[[nodiscard]] BaseModel make_model(const Options& options, Time now);
+[[nodiscard]] BaseModel make_model(const Options& options, const laser::Room& room, Time now);
 
 }  // namespace tocsin::kobuki

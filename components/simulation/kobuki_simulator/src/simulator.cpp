@@ -30,16 +30,22 @@ FileDescriptor open_signals() {
   return FileDescriptor(::signalfd(-1, &set, SFD_CLOEXEC));
 }
 
-SimulatedBase make_base(const Options& options) {
+double wall_s() {
+  return to_seconds(
+      std::chrono::duration_cast<Duration>(std::chrono::system_clock::now().time_since_epoch()));
+}
+
+SimulatedBase make_base(const Options& options, const laser::Room& room) {
   const Time now = monotonic_now();
-  return {make_model(options, now), SerialLine(options.settings.line, options.seed + 1, now)};
+  return {make_model(options, room, now), SerialLine(options.settings.line, options.seed + 1, now)};
 }
 
 }  // namespace
 
 Simulator::Simulator(const Options& options)
     : options_(options),
-      base_(make_base(options)),
+      room_(make_room(options)),
+      base_(make_base(options, room_)),
       script_(options.script, options.script_file, monotonic_now()),
       epoll_(::epoll_create1(EPOLL_CLOEXEC)),
       timer_(::timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC | TFD_NONBLOCK)),
@@ -53,6 +59,9 @@ Simulator::Simulator(const Options& options)
   }
   terminal_.emplace(options.link);
   watch(terminal_->descriptor());
+  if (options.laser.link.empty()) return;
+  laser_.emplace(options.laser, room_.seen(), options.seed + 2, monotonic_now());
+  watch(laser_->descriptor());
 }
 
 void Simulator::watch(int descriptor) {
@@ -85,13 +94,14 @@ void Simulator::run() {
 }
 
 Time Simulator::next_wake() const {
-  const Time soonest = std::min({base_.next_event(), next_report_, script_.next()});
+  Time soonest = std::min({base_.next_event(), next_report_, script_.next()});
+  if (laser_) soonest = std::min(soonest, laser_->next_event());
   return options_.state.empty() ? soonest : std::min(soonest, next_save_);
 }
 
 void Simulator::play_script(Time now) {
   while (const auto command = script_.due(now)) {
-    const std::string answer = obey_control(base_, *command, now);
+    const std::string answer = obey(*command, now);
     if (answer.rfind("error", 0) != 0) continue;
     std::fprintf(stderr, "kobuki_simulator: %s: %s\n", options_.script_file.c_str(),
                  answer.c_str());
@@ -100,11 +110,13 @@ void Simulator::play_script(Time now) {
 
 void Simulator::step(Time now) {
   play_script(now);
+  if (room_.set_time(wall_s())) base_.model().surroundings_moved();
   base_.step(now, [this](ByteView packet) {
     if (terminal_->is_open()) terminal_->send(packet);
   });
   handle_cable(now);
   if (terminal_->is_open()) read_terminal(now);
+  if (laser_) step_laser(now);
   if (control_) read_control(now);
   if (now >= next_report_) report(now);
   if (!options_.state.empty() && now >= next_save_) save(now);
@@ -123,6 +135,16 @@ void Simulator::handle_cable(Time now) {
   watch(terminal_->descriptor());
 }
 
+void Simulator::step_laser(Time now) {
+  if (laser_->step(base_.model(), now)) watch(laser_->descriptor());
+}
+
+std::string Simulator::obey(const std::string& line, Time now) {
+  constexpr const char* prefix = "laser ";
+  if (line.rfind(prefix, 0) != 0) return obey_control(base_, line, now);
+  return laser_ ? laser_->obey(line.substr(6), now) : "error: this base has no laser (--laser)";
+}
+
 void Simulator::read_terminal(Time now) {
   std::array<std::uint8_t, 512> bytes{};
   while (const std::size_t count = terminal_->receive(bytes.data(), bytes.size())) {
@@ -132,7 +154,7 @@ void Simulator::read_terminal(Time now) {
 
 void Simulator::read_control(Time now) {
   while (const auto message = control_->receive()) {
-    const std::string answer = obey_control(base_, message->text, now);
+    const std::string answer = obey(message->text, now);
     if (!message->sender.empty()) (void)control_->send(message->sender, answer);
   }
 }

@@ -28,12 +28,16 @@ class Simulator {
   void step(Time now);
   void play_script(Time now);
   void handle_cable(Time now);
+  void step_laser(Time now);
+  [[nodiscard]] std::string obey(const std::string& line, Time now);
   void report(Time now);
   void save(Time now);
   [[nodiscard]] Time next_wake() const;
 
   Options options_;
+  laser::Room room_;
   SimulatedBase base_;
+  std::optional<LaserTerminal> laser_;
   Script script_;
   std::optional<PseudoTerminal> terminal_;
   bool was_in_use_ = false;

@@ -62,16 +62,16 @@ TEST(Options, AMisspeltOneAndASeedBelowZeroAreRefused) {
 TEST(MakeModel, RefusesAStartInAWall) {
   Options options;
   options.walls = write("walls: [[0.1, -1, 0.1, 1, 3]]");
-  EXPECT_THROW((void)make_model(options, Time{}), ConfigError);
+  EXPECT_THROW((void)make_model(options, make_room(options), Time{}), ConfigError);
   options.start.x_m = 1;
-  EXPECT_EQ(make_model(options, Time{}).pose().x_m, 1);
+  EXPECT_EQ(make_model(options, make_room(options), Time{}).pose().x_m, 1);
 }
 
 TEST(MakeModel, StartsWhereAnEarlierRunEnded) {
   Options options;
   options.state = ::testing::TempDir() + "kobuki_earlier";
   ASSERT_TRUE(save_memory(options.state, {{7, 8, 0}, 0, 0, 0, 0, 1}));
-  EXPECT_EQ(make_model(options, Time{}).pose().y_m, 8);
+  EXPECT_EQ(make_model(options, make_room(options), Time{}).pose().y_m, 8);
 }
 
 }  // namespace

@@ -16,7 +16,6 @@
 
 namespace tocsin {
 
-
 /// A base in the bus's virtual time and the cable to it.
 struct Base {
   explicit Base(const SimBus& clock)

@@ -92,6 +92,9 @@ class BaseModel {
   /// The true pose in the map frame.
   [[nodiscard]] const geometry::Pose& pose() const { return body_.pose(); }
   void place(const geometry::Pose& pose) { body_.place(pose); }
+  /// Something in the surroundings is elsewhere now: to be called before each step while people
+  /// walk.
+  void surroundings_moved() { body_.surroundings_moved(); }
   /// True velocity at the end of the last physics step.
   [[nodiscard]] const geometry::Twist& velocity() const { return velocity_; }
   [[nodiscard]] std::uint8_t bumper() const;

@@ -26,6 +26,8 @@ class Body {
   /// turns. Returns the velocity it really had.
   geometry::Twist move(const geometry::Twist& wanted, double dt_s);
   void place(const geometry::Pose& pose) { pose_ = pose; }
+  /// Something in the surroundings is elsewhere now.
+  void surroundings_moved() { look_.reset(); }
 
   [[nodiscard]] const geometry::Pose& pose() const { return pose_; }
   /// Bumper bits of core sensors: contacts within 90 degrees ahead, in sectors of 60 degrees.
