@@ -11,7 +11,7 @@
 namespace tocsin::rplidar {
 namespace {
 
-constexpr Duration packet_period = std::chrono::milliseconds(10);
+constexpr Duration packet_period = std::chrono::milliseconds(20);
 constexpr Duration boot_time = std::chrono::milliseconds(500);
 constexpr std::string_view greeting = "RP LIDAR System.\r\nFirmware Ver 1.29, HW Ver 7\r\n";
 

@@ -9,6 +9,7 @@
 #include "foundation/error.hpp"
 #include "geometry/wall_file.hpp"
 #include "kobuki_model/base_settings.hpp"
+#include "laser_model/obstacle_file.hpp"
 
 namespace tocsin::simulation {
 namespace {
@@ -36,12 +37,23 @@ void set_config(const std::string& path, BaseOptions& options) {
   options.line = settings.line;
 }
 
-kobuki::Surroundings surroundings(const BaseOptions& options) {
+laser::Room make_room(const BaseOptions& options) {
   std::vector<geometry::Wall> walls;
+  std::vector<geometry::Wall> low;
+  laser::Obstacles obstacles;
   if (!options.walls.empty()) walls = geometry::load_walls(options.walls);
-  if (options.dock) walls.push_back(kobuki::Dock(*options.dock).front());
-  if (walls.empty()) return kobuki::open_floor();
-  return kobuki::walled(std::move(walls));
+  if (options.dock) low.push_back(kobuki::Dock(*options.dock).front());
+  if (!options.obstacles.empty()) obstacles = laser::load_obstacles(options.obstacles);
+  return {walls, low, obstacles};
+}
+
+void set_laser(Arguments& arguments, LaserOptions& options) {
+  options.link = arguments["--laser"];
+  if (arguments.count("--laser-profile") > 0) options.profile = arguments["--laser-profile"];
+  if (arguments.count("--laser-mount") > 0) {
+    options.mount =
+        kobuki::parse_pose("kobuki_simulator --laser-mount", arguments["--laser-mount"]);
+  }
 }
 
 }  // namespace
@@ -52,6 +64,8 @@ BaseOptions read_base_options(const deployment::Program& program) {
   options.link = arguments["--link"];
   if (options.link.empty()) throw ConfigError(program.name + ": kobuki_simulator needs --link");
   options.walls = arguments["--walls"];
+  options.obstacles = arguments["--obstacles"];
+  set_laser(arguments, options.laser);
   if (arguments.count("--start") > 0)
     options.start = kobuki::parse_pose("kobuki_simulator --start", arguments["--start"]);
   if (arguments.count("--dock") > 0)
@@ -92,15 +106,26 @@ class SimBase::Port final : public SerialDevice {
 SimBase::SimBase(Core& core, const BaseOptions& options)
     : core_(core),
       path_(options.link),
-      model_(options.model, surroundings(options), options.start, options.seed, core.now),
+      room_(make_room(options)),
+      model_(options.model, room_.touched(), options.start, options.seed, core.now),
       line_(options.line, options.seed + 1, core.now),
       quiet_line_(options.line),
       next_(model_.next_frame()) {
   if (options.dock) model_.set_dock(kobuki::Dock(*options.dock));
+  if (!options.laser.link.empty()) {
+    laser_.emplace(core, options.laser, room_.seen(), options.seed + 2);
+  }
 }
+
+Time SimBase::next_event() const { return laser_ ? std::min(next_, laser_->next_event()) : next_; }
 
 void SimBase::advance() {
   if (next_event() > core_.now) return;
+  constexpr double ns_per_s = 1e9;
+  if (room_.set_time(static_cast<double>(Core::wall_ns(core_.now)) / ns_per_s)) {
+    model_.surroundings_moved();
+  }
+  if (laser_) laser_->advance({model_.pose(), model_.velocity()});
   if (model_.next_frame() <= core_.now) step_model();
   if (line_.last_delivery() <= core_.now) deliver();
   next_ = std::min(model_.next_frame(), line_.last_delivery());

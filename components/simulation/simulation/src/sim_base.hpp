@@ -14,6 +14,8 @@
 #include "geometry/pose.hpp"
 #include "kobuki_model/base_model.hpp"
 #include "kobuki_model/serial_line.hpp"
+#include "laser_model/room.hpp"
+#include "sim_laser.hpp"
 
 namespace tocsin::simulation {
 
@@ -21,11 +23,13 @@ namespace tocsin::simulation {
 struct BaseOptions {
   std::string link;  ///< path of the serial port
   std::string walls;
+  std::string obstacles;
   geometry::Pose start;
   std::optional<geometry::Pose> dock;  ///< middle of its front, facing the room
   std::uint64_t seed = 1;
   kobuki::ModelParams model;
   kobuki::LineParams line;
+  LaserOptions laser;
 };
 
 /// Throws ConfigError for bad values and files.
@@ -39,7 +43,9 @@ class SimBase {
 
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] const kobuki::BaseModel& model() const { return model_; }
-  [[nodiscard]] Time next_event() const { return next_; }
+  [[nodiscard]] Time next_event() const;
+  /// Null: it has none.
+  [[nodiscard]] SimLaser* laser() { return laser_ ? &*laser_ : nullptr; }
   /// Does what is due at the core's time.
   void advance();
   /// Takes the cable out: what was opened is lost for good, and nothing can be opened.
@@ -59,6 +65,8 @@ class SimBase {
   void deliver();
   Core& core_;
   std::string path_;
+  laser::Room room_;
+  std::optional<SimLaser> laser_;
   kobuki::BaseModel model_;
   kobuki::SerialLine line_;
   kobuki::LineParams quiet_line_;

@@ -122,10 +122,12 @@ SimComputer::SimComputer(Core& core, RadioLink& link, const Place& place, std::s
 }
 
 OpenedSerial SimComputer::open_serial(const std::string& path, Devices::Readable readable) {
-  const auto base = std::find_if(bases_.begin(), bases_.end(),
-                                 [&](const SimBase* one) { return one->path() == path; });
-  if (base == bases_.end()) return {};
-  return (*base)->open(std::move(readable));
+  for (SimBase* const base : bases_) {
+    if (base->path() == path) return base->open(std::move(readable));
+    SimLaser* const laser = base->laser();
+    if (laser != nullptr && laser->path() == path) return laser->open(std::move(readable));
+  }
+  return {};
 }
 
 std::unique_ptr<EchoDevice> SimComputer::open_echo(const EchoTarget& target,

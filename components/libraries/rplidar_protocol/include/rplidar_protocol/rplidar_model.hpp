@@ -36,7 +36,7 @@ class RplidarModel {
 
   /// Bytes of the computer, cut anywhere.
   void receive(ByteView bytes, Time now);
-  /// Hands over what the device has sent until `now`, in packets of about 10 ms.
+  /// Hands over what the device has sent until `now`, in packets of about 20 ms.
   void step(Time now, const Sink& sink);
   /// When `step` has something to do next; `never` when nothing is sent.
   [[nodiscard]] Time next_event() const;

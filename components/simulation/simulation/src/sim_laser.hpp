@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core.hpp"
+#include "devices/devices.hpp"
+#include "devices/serial_device.hpp"
+#include "laser_model/simulated_laser.hpp"
+
+namespace tocsin::simulation {
+
+/// What the command line of kobuki_simulator says of a laser.
+struct LaserOptions {
+  std::string link;  ///< path of its serial port; empty: none
+  std::string profile = "rplidar_a1";
+  geometry::Pose mount;
+};
+
+/// The laser of a simulated base behind a serial port in virtual time.
+class SimLaser {
+ public:
+  /// Throws ConfigError for an unknown profile.
+  SimLaser(Core& core, const LaserOptions& options, std::shared_ptr<const laser::Scene> scene,
+           std::uint64_t seed);
+
+  [[nodiscard]] const std::string& path() const { return path_; }
+  [[nodiscard]] Time next_event() const;
+  /// Does what is due at the core's time, on a vehicle that moves like this.
+  void advance(const laser::SimulatedLaser::Motion& motion);
+  /// The computer's end of the line. It must not outlive the laser; one at a time.
+  [[nodiscard]] std::unique_ptr<SerialDevice> open(Devices::Readable readable);
+  [[nodiscard]] laser::SimulatedLaser& device() { return laser_; }
+
+ private:
+  class Port;
+  Core& core_;
+  std::string path_;
+  laser::SimulatedLaser laser_;
+  std::vector<std::uint8_t> arrived_;
+  Devices::Readable readable_;
+};
+
+}  // namespace tocsin::simulation
