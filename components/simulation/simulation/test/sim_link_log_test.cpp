@@ -26,7 +26,7 @@ TEST_F(LinkBusTest, WhatALogHeldIsGivenByANextLife) {
   Flow flow;
   flow.topic = topic::Location::info.name;
   Reader& away = read<topic::Location>(mission_);
-  down().bus.give(down().bus.offer(flow), again);
+  down().bus.deliver(down().bus.offer(flow), again);
   EXPECT_EQ(away.samples.size(), 1U);
   EXPECT_EQ(up().bus.sample_of({1, 2, 3}).content, nullptr);
   EXPECT_EQ(up().bus.sample_of(std::vector<std::uint8_t>(8, 0xff)).content, nullptr);
