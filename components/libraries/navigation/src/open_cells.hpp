@@ -11,7 +11,7 @@
 
 namespace tocsin::navigation {
 
-inline constexpr double start_reach_m = 0.5;    // a blocked start is left for a cell within it
+inline constexpr double start_reach_m = 0.5;   // a blocked start is left for a cell within it
 inline constexpr std::uint32_t straight = 10;  // lengths of steps, in tenths of a cell
 inline constexpr std::uint32_t diagonal = 14;
 inline constexpr std::uint32_t unreached = std::numeric_limits<std::uint32_t>::max();

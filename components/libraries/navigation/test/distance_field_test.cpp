@@ -12,9 +12,9 @@ namespace {
 const InflationParams bare{0.1, 0, 0, 0};
 
 TEST(DistanceField, GoesRoundWallsAndNotThroughThem) {
-  const CostMap map(drawn_map({"#######", "#..#..#", "#..#..#", "#.....#", "####..#", "#.#...#",
-                               "#######"}),
-                    bare);
+  const CostMap map(
+      drawn_map({"#######", "#..#..#", "#..#..#", "#.....#", "####..#", "#.#...#", "#######"}),
+      bare);
   const DistanceField sut(map, {1.5, 5.5});
   EXPECT_DOUBLE_EQ(sut.distance_m({1.5, 5.5}), 0);
   EXPECT_NEAR(sut.distance_m({2.5, 4.5}), 1.4, 1e-9);
