@@ -90,7 +90,7 @@ class Explorer {
   Step finish();
   void list(const geometry::Point& place, std::string reason);
 
-  const ExplorerParams params_;
+  ExplorerParams params_;
   std::optional<geometry::Point> goal_;
   std::map<Place, Tally> tallies_;
   std::vector<Listed> listed_;
