@@ -17,6 +17,7 @@ constexpr int most_failures = 2;
 constexpr int most_arrivals = 2;
 constexpr int most_choices = 8;
 constexpr int most_waits = 10;
+constexpr int least_looks = 3;  // one mistaken reading can close a door for a while
 
 }  // namespace
 
@@ -81,7 +82,8 @@ Step Explorer::next(const navigation::OccupancyMap& map, const Point& robot) {
     const auto other = candidate(frontier, ways);
     if (other && (!best || other->score > best->score)) best = other;
   }
-  if (!best) return finish();
+  if (!best) return look_again();
+  looked_ = 0;
   const double present = present_score(frontiers, ways);
   if (present > 0 && best->score < params_.hysteresis * present) {
     return {Step::What::keep, *goal_, ""};
@@ -97,9 +99,15 @@ Step Explorer::choose(const Point& goal) {
 }
 
 Step Explorer::wait() {
-  if (++waited_ < most_waits) return {Step::What::wait, {}, ""};
+  const std::string reason = "the vehicle stands where nothing leads on";
+  if (++waited_ < most_waits) return {Step::What::wait, {}, reason};
   goal_.reset();
-  return {Step::What::done, {}, "the vehicle stands where nothing leads on"};
+  return {Step::What::done, {}, reason};
+}
+
+Step Explorer::look_again() {
+  if (++looked_ < least_looks) return {Step::What::wait, {}, "it looks whether that was all"};
+  return finish();
 }
 
 Step Explorer::finish() {

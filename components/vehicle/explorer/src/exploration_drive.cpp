@@ -99,7 +99,7 @@ ExplorationDrive::Order ExplorationDrive::choose(Time now) {
     case Step::What::keep:
       return is_driving_ ? Order{} : drive_to(step.goal, now);
     case Step::What::wait:
-      status_ = "waiting: the vehicle stands where nothing leads on";
+      status_ = "waiting: " + step.reason;
       return {};
     case Step::What::done:
       return finish("done: " + step.reason);

@@ -51,7 +51,10 @@ TEST_F(ExplorationDriveTest, DrivesToTheEndOfTheMapUntilItIsKnown) {
   EXPECT_NEAR(order.drive_to->heading_rad, 0, 0.1) << "looks to where it drives";
   EXPECT_EQ(sut.status().find("exploring: to (1.95, "), 0U) << sut.status();
   sut.on_map(floor_known_to(4));
-  const auto last = sut.update(at(1));
+  EXPECT_FALSE(sut.update(at(1)).cancel);
+  EXPECT_EQ(sut.status(), "waiting: it looks whether that was all");
+  EXPECT_FALSE(sut.update(at(2)).cancel);
+  const auto last = sut.update(at(3));
   EXPECT_TRUE(last.cancel);
   EXPECT_FALSE(last.drive_to);
   EXPECT_EQ(sut.status(), "done: all that can be reached is known");

@@ -128,7 +128,7 @@ TEST_F(ExplorerComponentTest, DrivesToTheEndOfTheMapAsItGrowsAndEnds) {
   run(3);
   EXPECT_NEAR(navigator_.goals.back().x_m, 2.95, 1e-6);
   publish_tile(30, 40);
-  run(3);
+  run(6);
   EXPECT_EQ(status_, "done: all that can be reached is known");
 }
 

@@ -19,7 +19,7 @@ struct ExplorationRun {
   std::vector<double> choices_ms;  ///< time of each choice
 };
 
-/// Drives with an RPLIDAR A1 at known poses; looks and chooses anew every half metre.
+/// Drives with an RPLIDAR A1 at known poses; looks every 0.1 m, chooses anew every 0.5 m.
 /// `failing`: share of the goals that fail whatever they are.
 [[nodiscard]] ExplorationRun explore(const World& world, double failing, std::uint64_t seed);
 

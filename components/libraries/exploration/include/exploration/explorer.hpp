@@ -37,7 +37,7 @@ struct Step {
   enum class What {
     drive,  ///< to `goal`, which is a new one
     keep,   ///< on to `goal`
-    wait,   ///< the robot stands where nothing leads on; ask again
+    wait,   ///< and ask again, with what is seen meanwhile; `reason` says why
     done,   ///< `reason` says why
   };
   What what = What::wait;
@@ -46,7 +46,7 @@ struct Step {
 };
 
 /// Chooses frontiers by gain and way until none is left. Ends on any map and whatever becomes of
-/// its goals: a place that fails twice, is reached twice to no avail, or is chosen eight times is
+/// its goals, once no frontier was found three times in a row: a place that fails twice, is reached twice to no avail, or is chosen eight times is
 /// listed, and a map has a limited number of places, squares of 0.5 m.
 ///
 /// Pure. Gain / cost = length of the frontier / (way + 1 m), the length limited to `most_gain_m`.
@@ -87,6 +87,7 @@ class Explorer {
                                      const navigation::DistanceField& ways) const;
   Step choose(const geometry::Point& goal);
   Step wait();
+  Step look_again();
   Step finish();
   void list(const geometry::Point& place, std::string reason);
 
@@ -95,6 +96,7 @@ class Explorer {
   std::map<Place, Tally> tallies_;
   std::vector<Listed> listed_;
   int waited_ = 0;
+  int looked_ = 0;
 };
 
 }  // namespace tocsin::exploration
