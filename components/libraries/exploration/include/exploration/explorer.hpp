@@ -46,8 +46,9 @@ struct Step {
 };
 
 /// Chooses frontiers by gain and way until none is left. Ends on any map and whatever becomes of
-/// its goals, once no frontier was found three times in a row: a place that fails twice, is reached twice to no avail, or is chosen eight times is
-/// listed, and a map has a limited number of places, squares of 0.5 m.
+/// its goals, once no frontier was found three times in a row: a place that fails twice, is reached
+/// twice to no avail, or is chosen eight times is listed, and a map has a limited number of places,
+/// squares of 0.5 m.
 ///
 /// Pure. Gain / cost = length of the frontier / (way + 1 m), the length limited to `most_gain_m`.
 class Explorer {
