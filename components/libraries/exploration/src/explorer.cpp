@@ -13,6 +13,7 @@ using geometry::Point;
 
 constexpr double place_m = 0.5;  // side of a square that is listed
 constexpr double least_way_m = 1.0;
+constexpr double reach_m = 0.5;  // a blocked start is left for a cell within it, as by Planner
 constexpr int most_failures = 2;
 constexpr int most_arrivals = 2;
 constexpr int most_choices = 8;
@@ -70,23 +71,34 @@ double Explorer::present_score(const std::vector<Frontier>& frontiers,
 }
 
 Step Explorer::next(const navigation::OccupancyMap& map, const Point& robot) {
-  const navigation::CostMap costs(map, params_.inflation);
-  const navigation::DistanceField ways(costs, robot);
-  if (!std::isfinite(robot.x_m) || !std::isfinite(robot.y_m) || !costs.nearest_free(robot, 0.5)) {
-    return wait();
-  }
-  waited_ = 0;
+  navigation::InflationParams inflation = params_.inflation;
+  const auto step = step_within(map, robot, inflation);
+  if (step) return *step;
+  // Noise of the map may close a door behind the robot.
+  inflation.margin_m = 0;
+  const auto tight = step_within(map, robot, inflation);
+  if (tight) return *tight;
+  const bool stands_free =
+      is_finite(robot) && navigation::CostMap(map, inflation).nearest_free(robot, reach_m);
+  return stands_free ? look_again() : wait();
+}
+
+/// Nothing: there is no frontier that can be reached with this inflation.
+std::optional<Step> Explorer::step_within(const navigation::OccupancyMap& map, const Point& robot,
+                                          const navigation::InflationParams& inflation) {
+  const navigation::DistanceField ways(navigation::CostMap(map, inflation), robot);
   const auto frontiers = find_frontiers(map, ways);
   std::optional<Candidate> best;
   for (const Frontier& frontier : frontiers) {
     const auto other = candidate(frontier, ways);
     if (other && (!best || other->score > best->score)) best = other;
   }
-  if (!best) return look_again();
+  if (!best) return std::nullopt;
+  waited_ = 0;
   looked_ = 0;
   const double present = present_score(frontiers, ways);
   if (present > 0 && best->score < params_.hysteresis * present) {
-    return {Step::What::keep, *goal_, ""};
+    return Step{Step::What::keep, *goal_, ""};
   }
   return choose(best->goal);
 }

@@ -170,6 +170,19 @@ TEST(Explorer, LeavesShortFrontiersUnknown) {
   EXPECT_EQ(settled(fine, map, robot).what, What::drive);
 }
 
+TEST(Explorer, TriesADoorThatOnlyTheMarginCloses) {
+  std::vector<std::string> rows(24, "..........#..........????");
+  for (std::size_t row : {9U, 10U, 11U, 12U, 13U}) rows[row][10] = '.';  // 0.5 m
+  const auto map = drawn(rows);
+  Explorer sut({});
+  const Step step = sut.next(map, {0.5, 1.2});
+  EXPECT_EQ(step.what, What::drive);
+  EXPECT_GT(step.goal.x_m, 1.5);
+  for (std::size_t row : {9U, 10U, 12U, 13U}) rows[row][10] = '#';  // 0.1 m
+  Explorer other({});
+  EXPECT_EQ(settled(other, drawn(rows), {0.5, 1.2}).what, What::done);
+}
+
 TEST(Explorer, WaitsTenTimesForARobotThatStandsNowhere) {
   const auto map = two_rooms();
   for (const Point& robot : {Point{nan, 1}, Point{-5, 1}, Point{1, infinity}}) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "exploration_run.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <memory>
@@ -106,13 +107,12 @@ class Vehicle {
     const double length_m = distance(from, to);
     if (length_m == 0) return true;
     heading_rad_ = bearing(from, to);
-    for (double at_m = 0; at_m < driven_m; at_m += 0.02) {
-      look_on_the_way();
-      const Point p = between(from, to, at_m / length_m);
+    for (double at_m = 0; at_m < driven_m + 0.02; at_m += 0.02) {
+      const Point p = between(from, to, std::min(at_m, driven_m) / length_m);
       if (world_.truth.collides(p.x_m, p.y_m, radius_m)) return false;
       robot_ = p;
+      look_on_the_way();
     }
-    robot_ = between(from, to, driven_m / length_m);
     run_.path_m += driven_m;
     return true;
   }

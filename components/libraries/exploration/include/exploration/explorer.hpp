@@ -50,6 +50,9 @@ struct Step {
 /// twice to no avail, or is chosen eight times is listed, and a map has a limited number of places,
 /// squares of 0.5 m.
 ///
+/// What no way leads to with the margin to walls is looked for without; the navigator may fail
+/// there.
+///
 /// Pure. Gain / cost = length of the frontier / (way + 1 m), the length limited to `most_gain_m`.
 class Explorer {
  public:
@@ -86,6 +89,8 @@ class Explorer {
   /// Of the present goal, if its frontier is still there.
   [[nodiscard]] double present_score(const std::vector<Frontier>& frontiers,
                                      const navigation::DistanceField& ways) const;
+  std::optional<Step> step_within(const navigation::OccupancyMap& map, const geometry::Point& robot,
+                                  const navigation::InflationParams& inflation);
   Step choose(const geometry::Point& goal);
   Step wait();
   Step look_again();
