@@ -101,4 +101,22 @@ bool CostMap::blocked(const geometry::Point& p) const {
   return !cell || blocked(*cell);
 }
 
+std::optional<CellIndex> CostMap::nearest_free(const geometry::Point& p, double reach_m) const {
+  const auto middle = grid_.cell_of(p);
+  if (!middle || !blocked(*middle)) return middle;
+  const int reach = static_cast<int>(reach_m / grid_.resolution_m);
+  std::optional<CellIndex> best;
+  double best_m = reach_m;
+  for (int row = -reach; row <= reach; ++row) {
+    for (int column = -reach; column <= reach; ++column) {
+      const CellIndex cell{middle->column + column, middle->row + row};
+      const double away_m = distance(p, grid_.centre(cell));
+      if (blocked(cell) || away_m >= best_m) continue;
+      best = cell;
+      best_m = away_m;
+    }
+  }
+  return best;
+}
+
 }  // namespace tocsin::navigation

@@ -2,72 +2,19 @@
 #include "navigation/planner.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cassert>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <utility>
 #include <vector>
 
+#include "open_cells.hpp"
+
 namespace tocsin::navigation {
 namespace {
 
-constexpr double start_reach_m = 0.5;
 constexpr double goal_reach_m = 0.15;
-constexpr std::uint32_t straight = 10;  // lengths of steps, in tenths of a cell
-constexpr std::uint32_t diagonal = 14;
-constexpr std::uint32_t unreached = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint8_t no_step = 8;
-
-constexpr std::array<CellIndex, 8> steps{
-    {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
-
-CellIndex add(CellIndex a, CellIndex b) { return {a.column + b.column, a.row + b.row}; }
-
-/// The open cells, cheapest estimate first, among equals the last one put in. A ring of buckets,
-/// one per estimate: with a consistent heuristic an estimate never lies below the one taken last,
-/// nor above it by more than one step, so neither a heap nor a comparison is needed.
-class OpenCells {
- public:
-  OpenCells() : buckets_(ring_size) {}
-
-  /// Leaves none; no estimate will be below `first`.
-  void restart(std::uint32_t first) {
-    for (; !empty(); ++current_) {
-      auto& bucket = buckets_[current_ % ring_size];
-      count_ -= bucket.size();
-      bucket.clear();
-    }
-    current_ = first;
-  }
-
-  void put(std::uint32_t estimate, CellIndex cell) {
-    assert(estimate - current_ < ring_size);
-    buckets_[estimate % ring_size].push_back(cell);
-    ++count_;
-  }
-  [[nodiscard]] bool empty() const { return count_ == 0; }
-  [[nodiscard]] std::uint32_t estimate() const { return current_; }
-
-  /// Asserts that it is not empty.
-  CellIndex take() {
-    assert(!empty());
-    while (buckets_[current_ % ring_size].empty()) ++current_;
-    auto& bucket = buckets_[current_ % ring_size];
-    const CellIndex cell = bucket.back();
-    bucket.pop_back();
-    --count_;
-    return cell;
-  }
-
- private:
-  static constexpr std::uint32_t ring_size = 8192;
-  static_assert(diagonal * (CostMap::dearest + CostMap::plain) < ring_size);
-  std::vector<std::vector<CellIndex>> buckets_;
-  std::uint32_t current_ = 0;
-  std::size_t count_ = 0;
-};
 
 }  // namespace
 
@@ -127,14 +74,9 @@ class Planner::Search {
       const std::uint32_t there = map_.cost(offset);
       const std::uint32_t length = i < 4 ? straight : diagonal;
       const std::uint32_t sum = cost + length * (here + there) / 2;
-      if (there == 0 || sum >= cost_[offset] || (i >= 4 && cuts_corner(from, to))) continue;
+      if (there == 0 || sum >= cost_[offset] || (i >= 4 && cuts_corner(map_, from, to))) continue;
       open(to, sum, static_cast<std::uint8_t>(i));
     }
-  }
-
-  bool cuts_corner(CellIndex from, CellIndex to) const {
-    return map_.cost(grid_.offset({to.column, from.row})) == 0 ||
-           map_.cost(grid_.offset({from.column, to.row})) == 0;
   }
 
   std::vector<CellIndex> trace() const {
@@ -157,26 +99,6 @@ class Planner::Search {
 };
 
 namespace {
-
-std::optional<CellIndex> nearest_free(const CostMap& map, const geometry::Point& p,
-                                      double reach_m) {
-  const Grid& grid = map.grid();
-  const auto middle = grid.cell_of(p);
-  if (!middle || !map.blocked(*middle)) return middle;
-  const int reach = static_cast<int>(reach_m / grid.resolution_m);
-  std::optional<CellIndex> best;
-  double best_m = reach_m;
-  for (int row = -reach; row <= reach; ++row) {
-    for (int column = -reach; column <= reach; ++column) {
-      const CellIndex cell = add(*middle, {column, row});
-      const double away_m = distance(p, grid.centre(cell));
-      if (map.blocked(cell) || away_m >= best_m) continue;
-      best = cell;
-      best_m = away_m;
-    }
-  }
-  return best;
-}
 
 /// Cost of the straight line, infinite when it crosses a blocked cell.
 double line_cost(const CostMap& map, const geometry::Point& a, const geometry::Point& b) {
@@ -239,8 +161,8 @@ Planner::~Planner() = default;
 std::optional<geometry::Path> Planner::plan(const geometry::Point& start,
                                             const geometry::Point& goal) {
   const CostMap& map = *map_;
-  const auto from = nearest_free(map, start, start_reach_m);
-  const auto to = nearest_free(map, goal, goal_reach_m);
+  const auto from = map.nearest_free(start, start_reach_m);
+  const auto to = map.nearest_free(goal, goal_reach_m);
   if (!from || !to) return std::nullopt;
   const auto cells = search_->run(*from, *to);
   if (cells.empty()) return std::nullopt;

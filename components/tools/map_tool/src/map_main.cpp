@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// tocsin map replay: a map of a recorded drive.
+// tocsin map: a map of a recorded drive, and drives that cover one.
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
 
 #include "command_line/command.hpp"
+#include "cover.hpp"
 #include "foundation/error.hpp"
 #include "foundation/printable.hpp"
 #include "foundation/read_file.hpp"
@@ -70,16 +71,43 @@ int replay_log(const Options& options) {
   return 0;
 }
 
+void declare(CLI::App& app, CoverOptions& options) {
+  auto& params = options.params;
+  app.add_option("MAP", options.map, "map in the format of ROS's map_server (YAML)")->required();
+  app.add_option("--mission", options.mission, "mission file to write, for tocsin mission")
+      ->required();
+  app.add_option("--start", options.start, "[m] where the robot is, map frame [0,0]")
+      ->type_name("X,Y");
+  app.add_option("--polygon", options.polygon,
+                 "[m] corners of what is to be covered; default: all that can be reached")
+      ->type_name("X,Y");
+  app.add_option("--width", params.width_m, "[m] of the tool, in the middle of the robot [0.3]");
+  app.add_option("--overlap", params.overlap_m, "[m] of neighbouring swaths, at least [0.04]");
+  app.add_option("--soft-weight", params.inflation.soft_weight,
+                 "soft_weight of the navigator that drives it [3]")
+      ->check(CLI::Range(0.0, 50.0));
+  app.add_option("--picture", options.picture, "PGM image to write: map, drive, what is left out");
+}
+
+int print_cover(const CoverOptions& options) {
+  std::fputs(cover(options).c_str(), stdout);
+  return 0;
+}
+
 }  // namespace
 }  // namespace tocsin::map_tool
 
 int main(int argc, char** argv) {
   tocsin::map_tool::Options options;
-  CLI::App app("Maps from a laser: replays a log as fast as it goes.");
+  CLI::App app("Maps: of a recorded drive, and drives that cover one.");
   app.name("tocsin map");
   tocsin::Verbs verbs(app);
   tocsin::map_tool::declare(*verbs.add("replay", "maps a recorded drive",
                                        [&] { return tocsin::map_tool::replay_log(options); }),
                             options);
+  tocsin::map_tool::CoverOptions cover;
+  tocsin::map_tool::declare(*verbs.add("cover", "plans a drive that covers the floor of a map",
+                                       [&] { return tocsin::map_tool::print_cover(cover); }),
+                            cover);
   return verbs.run(argc, argv);
 }

@@ -178,6 +178,11 @@ struct MapUpdates {
   using Message = map_msgs::msg::OccupancyGridUpdate;
   static constexpr TopicInfo info{"map_updates", "event", Scope::host};
 };
+/// What the explorer does: "idle", "exploring: ...", "waiting: ..." or "done: ..."
+struct ExploreStatus {
+  using Message = std_msgs::msg::String;
+  static constexpr TopicInfo info{"explore/status", "state", Scope::host};
+};
 /// Where the localiser says the vehicle is, frame map; under the name that nav2's localiser has.
 struct AmclPose {
   using Message = geometry_msgs::msg::PoseWithCovarianceStamped;
@@ -286,7 +291,7 @@ using AllHostTopics =
     List<CmdVel, Odom, JointStates, Imu, Tf, TfStatic, Scan, Diagnostics, CmdVelNavigation,
          CmdVelDocking, CmdVelTeleop, CmdVelSelected, CmdVelSmoothed, MuxActive, MuxInputs,
          MuxSetInputs, SafetyEnable, EmergencyStop, LinkStop, EmergencyStopRequest,
-         EmergencyStopState, MissionPath, MissionCommand, Map, MapUpdates, AmclPose, LinkBudget,
-         LogRequest, ContainerState>;
+         EmergencyStopState, MissionPath, MissionCommand, Map, MapUpdates, ExploreStatus, AmclPose,
+         LinkBudget, LogRequest, ContainerState>;
 
 }  // namespace tocsin::topic

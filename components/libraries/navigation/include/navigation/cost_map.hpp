@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "geometry/pose.hpp"
@@ -46,6 +47,9 @@ class CostMap {
     return !grid_.contains(c) || costs_[grid_.offset(c)] == 0;
   }
   [[nodiscard]] bool blocked(const geometry::Point& p) const;
+  /// The cell of `p`; when that is blocked, the nearest one within `reach_m` that is not.
+  [[nodiscard]] std::optional<CellIndex> nearest_free(const geometry::Point& p,
+                                                      double reach_m) const;
 
  private:
   struct DiscRow;

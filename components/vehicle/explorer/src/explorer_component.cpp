@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "explorer/explorer_component.hpp"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "geometry/pose_message.hpp"
+#include "runtime/component_entry.hpp"
+
+namespace tocsin {
+namespace {
+
+constexpr Duration answer_time = std::chrono::seconds(2);
+constexpr Duration result_slack = std::chrono::seconds(10);  // after a goal was given up
+constexpr double most_turn_rad = 1e-3;                       // of a map's rows
+
+/// -1: more than an int holds.
+int size_of(std::uint32_t cells) {
+  return cells <= std::uint32_t{std::numeric_limits<int>::max()} ? static_cast<int>(cells) : -1;
+}
+
+std::string reason_of(const action::NavigateToPose::Result* result, const char* otherwise) {
+  return result == nullptr || result->error_msg().empty() ? otherwise : result->error_msg();
+}
+
+}  // namespace
+
+ExplorerComponent::ExplorerComponent(Context& context, const Params& params)
+    : Component(context), params_(params), drive_(params) {}
+
+void ExplorerComponent::tick(Time now) {
+  take_calls();
+  take_map();
+  take_location(now);
+  drive_.on_navigator(navigate_.available());
+  while (const auto news = navigate_.take(now)) on_news(*news, now);
+  follow(drive_.update(now), now);
+  tell();
+  if (drive_.is_running()) wake_at(drive_.next());
+}
+
+void ExplorerComponent::take_calls() {
+  while (const auto call = explore_.take()) {
+    call->request->data() ? drive_.start() : drive_.stop();
+    Explore::Response response;
+    response.success(true);
+    response.message(call->request->data() ? "exploring" : "stopped");
+    explore_.reply(call->id, std::move(response));
+  }
+}
+
+void ExplorerComponent::take_map() {
+  bool has_changed = false;
+  if (const auto map = map_.take_latest()) {
+    const auto origin = geometry::pose_in(map->info().origin());
+    const bool is_turned = !(std::abs(origin.heading_rad) <= most_turn_rad);
+    const std::string reason =
+        is_turned ? "its rows are turned"
+                  : live_map_.replace({size_of(map->info().width()), size_of(map->info().height()),
+                                       map->info().resolution(), position(origin)},
+                                      map->data());
+    if (reason.empty()) has_changed = true;
+    warn_of("a map", reason);
+  }
+  while (const auto tile = updates_.take()) {
+    const std::string reason =
+        live_map_.update({tile->x(), tile->y(), tile->width(), tile->height()}, tile->data());
+    if (reason.empty()) has_changed = true;
+    warn_of("a tile of the map", reason);
+  }
+  if (has_changed) drive_.on_map(*live_map_.map());
+}
+
+void ExplorerComponent::warn_of(const char* what, const std::string& reason) {
+  if (!reason.empty()) log().warn("{} is ignored: {}", what, reason);
+}
+
+void ExplorerComponent::take_location(Time now) {
+  const auto location = location_.take_latest();
+  if (location) drive_.on_pose(geometry::pose_in(location->pose().pose()), now);
+}
+
+void ExplorerComponent::on_news(const ActionClient<Navigate>::News& news, Time now) {
+  using What = ActionClient<Navigate>::What;
+  if (!goal_ || news.id != *goal_) return;  // of a goal that was replaced
+  const bool is_over =
+      news.what == What::rejected || news.what == What::unanswered || news.what == What::result;
+  if (!is_over) return;
+  goal_.reset();
+  if (news.what == What::rejected) {
+    drive_.on_rejected(reason_of(news.result.get(), "no reason"), now);
+  } else if (news.what == What::unanswered) {
+    drive_.on_failed("the navigator does not answer");
+  } else if (news.state == GoalState::succeeded) {
+    drive_.on_reached(now);
+  } else {
+    drive_.on_failed(reason_of(news.result.get(), "the navigator gave it up"));
+  }
+}
+
+void ExplorerComponent::follow(const ExplorationDrive::Order& order, Time now) {
+  if (order.cancel && goal_)
+    navigate_.cancel(*std::exchange(goal_, std::nullopt), now + answer_time);
+  if (!order.drive_to) return;
+  Navigate::Goal goal;
+  goal.pose().header().frame_id("map");
+  goal.pose().header().stamp(wall(now));
+  goal.pose().pose(geometry::pose_message<geometry_msgs::msg::Pose>(*order.drive_to));
+  const Time result_by = now + seconds(params_.goal_timeout_s) + result_slack;
+  goal_ = navigate_.send(std::move(goal), now + answer_time, result_by);
+}
+
+void ExplorerComponent::tell() {
+  if (drive_.status() == told_) return;
+  topic::ExploreStatus::Message message;
+  message.data(drive_.status());
+  if (status_.write(std::move(message)) == Status::failed) return;
+  told_ = drive_.status();
+  log().info("{}", told_);
+}
+
+}  // namespace tocsin
+
+TOCSIN_COMPONENT(tocsin::ExplorerComponent)
