@@ -53,7 +53,7 @@ class SimulatedSight {
   void look(const geometry::Point& from) {
     const double step_m = truth_.grid().resolution_m / 2;
     for (int i = 0; i < 360; ++i) {
-      const double bearing_rad = i * pi / 180;
+      const double bearing_rad = i * degree;
       for (double at_m = 0; at_m < range_m_; at_m += step_m) {
         const auto cell = truth_.grid().cell_of(
             {from.x_m + at_m * std::cos(bearing_rad), from.y_m + at_m * std::sin(bearing_rad)});

@@ -143,7 +143,7 @@ void BaseModel::physics(Time now) {
   velocity_ = body_.blocked() ? mean : true_velocity(drive_.speeds());
   left_ticks_ += rolling.left_mps * dt_s / tick_m;
   right_ticks_ += rolling.right_mps * dt_s / tick_m;
-  const double bias_rad = params_.gyro_bias_dps * dt_s * degree_rad;
+  const double bias_rad = params_.gyro_bias_dps * dt_s * degree;
   gyro_rad_ =
       geometry::wrap_angle(gyro_rad_ + params_.gyro_scale * mean.angular_rad_s * dt_s + bias_rad);
   touch_dock();
@@ -160,7 +160,7 @@ void BaseModel::draw_slip() {
 void BaseModel::drift_gyro() {
   const double root_of_period = std::sqrt(to_seconds(frame_period));
   const double drift_deg = noise(params_.gyro_drift_deg_per_sqrt_s) * root_of_period;
-  gyro_rad_ = geometry::wrap_angle(gyro_rad_ + drift_deg * degree_rad);
+  gyro_rad_ = geometry::wrap_angle(gyro_rad_ + drift_deg * degree);
 }
 
 void BaseModel::touch_dock() {

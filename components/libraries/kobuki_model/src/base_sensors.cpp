@@ -76,15 +76,15 @@ CoreSensors BaseModel::core_sensors(Time now) const {
 }
 
 Inertia BaseModel::inertia() {
-  const double rate_dps = params_.gyro_scale * velocity_.angular_rad_s / degree_rad +
+  const double rate_dps = params_.gyro_scale * velocity_.angular_rad_s / degree +
                           params_.gyro_bias_dps + noise(params_.gyro_noise_dps);
   return {to_i16(gyro_rad_ / centidegree_rad), to_i16(100.0 * rate_dps)};
 }
 
 RawGyro BaseModel::raw_gyro() {
-  const double digit_dps = gyro_digit_rad_s / degree_rad;
+  const double digit_dps = gyro_digit_rad_s / degree;
   const double rate_dps =
-      params_.gyro_scale * velocity_.angular_rad_s / degree_rad + params_.gyro_bias_dps;
+      params_.gyro_scale * velocity_.angular_rad_s / degree + params_.gyro_bias_dps;
   RawGyro gyro;
   gyro.count = 2;
   gyro.frame_id = gyro_frame_id_;

@@ -84,7 +84,7 @@ std::uint8_t Body::bumper() const {
 }
 
 std::uint8_t bumper_bit(double bearing_rad) {
-  const double bearing_deg = bearing_rad / degree_rad;
+  const double bearing_deg = bearing_rad / degree;
   if (std::abs(bearing_deg) > 90) return 0;
   if (std::abs(bearing_deg) <= 30) return centre_bit;
   return bearing_deg > 0 ? left_bit : right_bit;

@@ -53,7 +53,7 @@ bool Dock::in_contact(const geometry::Pose& base) const {
   const double aside_m = -dx * std::sin(pose_.heading_rad) + dy * std::cos(pose_.heading_rad);
   const double turn = geometry::wrap_angle(base.heading_rad - pose_.heading_rad - pi);
   return ahead_m > 0 && ahead_m <= body_radius_m + contact_gap_m && std::abs(aside_m) < 0.05 &&
-         std::abs(turn) < 25 * degree_rad;
+         std::abs(turn) < 25 * degree;
 }
 
 geometry::Wall Dock::front() const {

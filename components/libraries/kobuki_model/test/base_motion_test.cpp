@@ -58,7 +58,7 @@ TEST(BaseModel, DriftsAsARandomWalkWithTheDeviationOfItsParameter) {
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     BaseModel sut(params, open_floor(), {}, seed, t0);
     sut.step(t0 + seconds(4), [](Time, ByteView) {});
-    squares += std::pow(sut.memory(t0).gyro_rad / degree_rad, 2);
+    squares += std::pow(sut.memory(t0).gyro_rad / degree, 2);
   }
   EXPECT_NEAR(std::sqrt(squares / 300), 2, 0.25);  // 3 deviations of the estimate
 }

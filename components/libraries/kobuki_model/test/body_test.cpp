@@ -98,7 +98,7 @@ TEST(Body, PressesTheSectorTowardsTheObstacle) {
                                          {-30.1, right_bit},
                                          {-90.1, 0},
                                          {180.0, 0}}) {
-    EXPECT_EQ(bumper_bit(bearing_deg * degree_rad), bit) << bearing_deg;
+    EXPECT_EQ(bumper_bit(bearing_deg * degree), bit) << bearing_deg;
   }
 }
 

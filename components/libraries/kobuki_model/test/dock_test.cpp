@@ -49,16 +49,16 @@ TEST(Dock, ShinesNearAndFarInThreeBeams) {
   for (const auto& [x_m, y_m, seen] : places)
     EXPECT_EQ(seen_at(x_m, y_m), seen) << x_m << ' ' << y_m;
   for (const auto& [angle_deg, seen] : {std::pair(54.9, 16 | 1), {55.1, 0}, {-55.1, 0}}) {
-    EXPECT_EQ(seen_at(std::cos(angle_deg * degree_rad), std::sin(angle_deg * degree_rad)), seen);
+    EXPECT_EQ(seen_at(std::cos(angle_deg * degree), std::sin(angle_deg * degree)), seen);
   }
 }
 
 TEST(Dock, IsSeenByTheReceiverThatFacesIt) {
   EXPECT_EQ(sut.infrared({3, 0, pi}).left, 0);
-  const DockInfrared turned_left = sut.infrared({3, 0, pi + 80 * degree_rad});
+  const DockInfrared turned_left = sut.infrared({3, 0, pi + 80 * degree});
   EXPECT_NE(turned_left.right, 0);
   EXPECT_EQ(turned_left.centre, 0);
-  EXPECT_NE(sut.infrared({3, 0, pi - 80 * degree_rad}).left, 0);
+  EXPECT_NE(sut.infrared({3, 0, pi - 80 * degree}).left, 0);
   EXPECT_EQ(sut.infrared({3, 0, 0}).centre, 0);
 }
 
@@ -66,8 +66,8 @@ TEST(Dock, IsSeenByTheReceiverThatFacesIt) {
 // that: with receivers in the middle of the base it docks from 28 of 300 starts, so from 285.
 TEST(Dock, IsSeenFromTheRimOfTheBase) {
   EXPECT_EQ(sut.infrared({2, 0, pi}).centre, near_all | far_all);
-  EXPECT_EQ(sut.infrared({2, 0, pi + 25 * degree_rad}).centre, 32 | 4);
-  EXPECT_EQ(sut.infrared({2, 0, pi - 25 * degree_rad}).centre, 16 | 1);
+  EXPECT_EQ(sut.infrared({2, 0, pi + 25 * degree}).centre, 32 | 4);
+  EXPECT_EQ(sut.infrared({2, 0, pi - 25 * degree}).centre, 16 | 1);
 }
 
 TEST(Dock, ChargesOnlyInFrontInTheMiddleAndFacing) {
@@ -76,8 +76,8 @@ TEST(Dock, ChargesOnlyInFrontInTheMiddleAndFacing) {
                                       {{x, 0.049, pi}, true},
                                       {{x, 0.051, pi}, false},
                                       {{x + 0.003, 0, pi}, false},
-                                      {{x, 0, pi + 24 * degree_rad}, true},
-                                      {{x, 0, pi + 26 * degree_rad}, false}}) {
+                                      {{x, 0, pi + 24 * degree}, true},
+                                      {{x, 0, pi + 26 * degree}, false}}) {
     EXPECT_EQ(sut.in_contact(pose), charges)
         << pose.x_m << ' ' << pose.y_m << ' ' << pose.heading_rad;
   }

@@ -179,7 +179,7 @@ TEST(Gyro, TurnsTheAxesOfTheChip) {
   EXPECT_DOUBLE_EQ(rate.x_rad_s, -200 * gyro_digit_rad_s);
   EXPECT_DOUBLE_EQ(rate.y_rad_s, 100 * gyro_digit_rad_s);
   EXPECT_DOUBLE_EQ(rate.z_rad_s, -300 * gyro_digit_rad_s);
-  EXPECT_NEAR(angular_velocity({0, 0, 1000}).z_rad_s, 8.75 * degree_rad, 1e-12);
+  EXPECT_NEAR(angular_velocity({0, 0, 1000}).z_rad_s, 8.75 * degree, 1e-12);
 }
 
 TEST(Gyro, StampsSamplesTenMillisecondsApart) {

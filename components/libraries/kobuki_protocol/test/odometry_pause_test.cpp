@@ -78,7 +78,7 @@ geometry::Pose bridged(double silence_s, double stamp_s, int ticks) {
 TEST(Odometry, TakesTheWayThatTheBaseRolledInALongSilence) {
   for (const double silence_s : {4.0, 60.0, 70.0, 200.0}) {
     EXPECT_NEAR(bridged(silence_s, silence_s, 4000).x_m, 4000 * tick_m, 1e-4) << silence_s;
-    EXPECT_NEAR(bridged(silence_s, silence_s, 4000).heading_rad, degree_rad, 1e-9) << silence_s;
+    EXPECT_NEAR(bridged(silence_s, silence_s, 4000).heading_rad, degree, 1e-9) << silence_s;
     EXPECT_NEAR(bridged(silence_s, silence_s, -4000).x_m, -4000 * tick_m, 1e-4) << silence_s;
   }
 }

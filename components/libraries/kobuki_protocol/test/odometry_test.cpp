@@ -44,8 +44,8 @@ TEST(Odometry, TakesTheHeadingFromTheGyroAcrossItsWrap) {
   Odometry sut{OdometryParams{}};
   sut.update(core(0, 0, 0), inertia(17900));
   sut.update(core(20, 0, 0), inertia(-17900, 500));
-  EXPECT_NEAR(sut.pose().heading_rad, 2 * degree_rad, 1e-9);
-  EXPECT_NEAR(sut.angular_rad_s(), 5 * degree_rad, 1e-9);
+  EXPECT_NEAR(sut.pose().heading_rad, 2 * degree, 1e-9);
+  EXPECT_NEAR(sut.angular_rad_s(), 5 * degree, 1e-9);
 }
 
 TEST(Odometry, StartsAtHeadingZeroWhateverTheGyroSays) {
@@ -81,14 +81,14 @@ TEST(Odometry, AppliesScales) {
 TEST(Odometry, AppliesGyroScaleAndBias) {
   OdometryParams params;
   params.gyro_scale = 1.1;
-  params.gyro_bias_rad_s = 1 * degree_rad;
+  params.gyro_bias_rad_s = 1 * degree;
   Odometry sut{params};
   sut.update(core(0, 0, 0), inertia(0));
   for (int i = 1; i <= 10; ++i) {
     sut.update(core(100 * i, 0, 0), inertia(static_cast<std::int16_t>(110 * i), 1100));
   }
-  EXPECT_NEAR(sut.pose().heading_rad, 11 * degree_rad, 1e-9);
-  EXPECT_NEAR(sut.angular_rad_s(), 11 * degree_rad, 1e-9);
+  EXPECT_NEAR(sut.pose().heading_rad, 11 * degree, 1e-9);
+  EXPECT_NEAR(sut.angular_rad_s(), 11 * degree, 1e-9);
 }
 
 TEST(Odometry, DoesNotTakeARestartedBaseForMotion) {
@@ -109,7 +109,7 @@ TEST(Odometry, KeepsTheHeadingWhenTheGyroStartsAnew) {
   sut.update(core(40, 0, 0), inertia(9100));
   sut.update(core(20, 30000, 30000), inertia(0));
   sut.update(core(40, 30000, 30000), inertia(100));
-  EXPECT_NEAR(sut.pose().heading_rad, 2 * degree_rad, 1e-9);
+  EXPECT_NEAR(sut.pose().heading_rad, 2 * degree, 1e-9);
 }
 
 TEST(Odometry, KeepsTheGyroHeadingBesideEncoderOdometry) {
@@ -117,8 +117,8 @@ TEST(Odometry, KeepsTheGyroHeadingBesideEncoderOdometry) {
   sut.update(core(0, 0, 0), inertia(0));
   sut.update(core(100, 0, 0), inertia(500, 5000));
   EXPECT_EQ(sut.pose().heading_rad, 0);
-  EXPECT_NEAR(sut.gyro_heading_rad(), 5 * degree_rad, 1e-9);
-  EXPECT_NEAR(sut.gyro_rate_rad_s(), 50 * degree_rad, 1e-9);
+  EXPECT_NEAR(sut.gyro_heading_rad(), 5 * degree, 1e-9);
+  EXPECT_NEAR(sut.gyro_rate_rad_s(), 50 * degree, 1e-9);
   sut.reset();
   EXPECT_EQ(sut.gyro_heading_rad(), 0);
 }

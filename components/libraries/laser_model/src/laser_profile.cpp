@@ -31,7 +31,7 @@ LaserProfile kinect() {
   profile.name = "kinect";
   profile.min_range_m = 0.45;
   profile.max_range_m = 10;
-  profile.view_rad = 57 * pi / 180;
+  profile.view_rad = 57 * degree;
   profile.first_rad = -profile.view_rad / 2;
   profile.turn_hz = 10;
   profile.readings_per_s = 7200;

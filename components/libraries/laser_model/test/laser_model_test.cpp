@@ -35,7 +35,7 @@ TEST(LaserModel, SeesNothingOutsideOfItsView) {
   LaserProfile kinect = find_laser_profile("kinect");
   kinect.missing_share = 0;
   LaserModel sut(kinect, 1);
-  const double half_rad = 28.5 * pi / 180;
+  const double half_rad = 28.5 * degree;
   for (const double bearing : {0.0, half_rad - 0.01, -half_rad + 0.01}) {
     EXPECT_TRUE(std::isfinite(sut.range(wall_at(2), {}, bearing))) << bearing;
   }

@@ -28,7 +28,7 @@ TEST(SpreadMisfit, SpreadsByTheWayAndNotByTheNumberOfReadings) {
 TEST(SpreadMisfit, FollowsAnArcThatTheWheelsTookForALine) {
   // A quarter of a circle of radius 1 in 90 steps, of which the wheels say that they were straight.
   std::vector<Pose> odometry;
-  for (int i = 0; i <= 90; ++i) odometry.push_back({i * pi / 180, 0, 0});
+  for (int i = 0; i <= 90; ++i) odometry.push_back({i * degree, 0, 0});
   const auto poses = spread_misfit(odometry, {0, 0, 0}, {1, 1, pi / 2});
   EXPECT_NEAR(poses[45].x_m, std::sin(pi / 4), 1e-3);
   EXPECT_NEAR(poses[45].y_m, 1 - std::cos(pi / 4), 1e-3);

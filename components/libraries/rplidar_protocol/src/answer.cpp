@@ -11,7 +11,6 @@
 namespace tocsin::rplidar {
 namespace {
 
-constexpr double degree = pi / 180;
 constexpr double angle_unit = degree / 64;
 constexpr double range_unit_m = 0.00025;
 

@@ -12,7 +12,6 @@ namespace {
 // A capsule: 2 bytes of sync nibbles and checksum, 2 of the start angle (q6, its top bit: the scan
 // begins), then 16 cabins of 5 bytes: two distances of 14 bits in mm, whose low bits are the top
 // two of each correction, and one byte with the low four bits of both (q3 degrees, signed).
-constexpr double degree = pi / 180;
 constexpr std::size_t cabin_size = 5;
 constexpr double mm = 0.001;
 

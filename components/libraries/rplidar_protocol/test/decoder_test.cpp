@@ -10,8 +10,6 @@
 namespace tocsin::rplidar {
 namespace {
 
-constexpr double degree = pi / 180;
-
 Bytes joined(const std::vector<Bytes>& parts) {
   Bytes all;
   for (const Bytes& part : parts) all.insert(all.end(), part.begin(), part.end());

@@ -234,8 +234,8 @@ StepResult Acceptance::gyro() {
   if (turned != StepResult::passed) return turned;
   const double by_wheels_rad = (difference_m() - before_m) / wheel_separation_m;
   const double apart_rad = by_wheels_rad - by_gyro.turned_rad();
-  std::printf("wheels and gyro differ by %.1f deg\n", apart_rad / degree_rad);
-  return std::abs(apart_rad) < 10 * degree_rad ? StepResult::passed : StepResult::failed;
+  std::printf("wheels and gyro differ by %.1f deg\n", apart_rad / degree);
+  return std::abs(apart_rad) < 10 * degree ? StepResult::passed : StepResult::failed;
 }
 
 StepResult Acceptance::square() {

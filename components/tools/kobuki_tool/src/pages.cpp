@@ -50,9 +50,9 @@ std::string sides(unsigned mask) {
 
 void motion(std::string& page, const Reading& r) {
   line(page, "odometry    x %7.3f m   y %7.3f m   heading %7.1f deg", r.pose.x_m, r.pose.y_m,
-       r.pose.heading_rad / degree_rad);
+       r.pose.heading_rad / degree);
   line(page, "velocity    %6.3f m/s   %7.2f deg/s   gyro %7.1f deg", r.linear_mps,
-       r.angular_rad_s / degree_rad, r.gyro_heading_rad / degree_rad);
+       r.angular_rad_s / degree, r.gyro_heading_rad / degree);
   const CoreSensors& core = *r.feedback.core;
   line(page, "wheels      left %5u ticks %4d %%   right %5u ticks %4d %%", core.left_encoder,
        core.left_pwm, core.right_encoder, core.right_pwm);

@@ -56,7 +56,7 @@ TEST(CarmenLog, BeamsOfTheFrontLaserCoverHalfATurnAsCarmenTakesIt) {
     const auto readings = read(line + " 0 0 0 0 0 0 1 host 1");
     ASSERT_EQ(readings.size(), 1U);
     EXPECT_DOUBLE_EQ(readings[0].scan->beams.first_rad, -pi / 2);
-    EXPECT_NEAR(readings[0].scan->beams.increment_rad, increment_deg * pi / 180, 1e-12) << count;
+    EXPECT_NEAR(readings[0].scan->beams.increment_rad, increment_deg * degree, 1e-12) << count;
   }
 }
 

@@ -36,7 +36,7 @@ inline double range_in_room(const geometry::Pose& pose, double bearing_rad) {
 inline std::string ranges_text(const geometry::Pose& pose) {
   std::string text;
   for (int i = 0; i < 180; ++i) {
-    fmt::format_to(std::back_inserter(text), " {:.3f}", range_in_room(pose, (i - 90) * pi / 180));
+    fmt::format_to(std::back_inserter(text), " {:.3f}", range_in_room(pose, (i - 90) * degree));
   }
   return text;
 }

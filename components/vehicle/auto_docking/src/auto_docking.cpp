@@ -12,10 +12,10 @@ namespace {
 
 using Light = DockInfrared;
 
-constexpr double crossing_rad = 60 * kobuki::degree_rad;  // between the bearing and the way across
-constexpr double lean_rad = 15 * kobuki::degree_rad;      // towards the centre line
-constexpr double turned_rad = 2 * kobuki::degree_rad;     // near enough
-constexpr double turn_gain_hz = 2;                        // damped: times a dead time of 0.2 s, 0.4
+constexpr double crossing_rad = 60 * degree;  // between the bearing and the way across
+constexpr double lean_rad = 15 * degree;      // towards the centre line
+constexpr double turned_rad = 2 * degree;     // near enough
+constexpr double turn_gain_hz = 2;            // damped: times a dead time of 0.2 s, 0.4
 constexpr Duration blind_drive = std::chrono::seconds(2);  // 0.2 m
 constexpr double hold_turn_rad_s = 0.3;
 constexpr double least_turn_rad_s = 0.1;  // a slower turn may stick

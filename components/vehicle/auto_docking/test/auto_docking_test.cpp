@@ -88,9 +88,9 @@ TEST_F(Docking, LeansTowardsTheCentreLineByFifteenDegreesAtMost) {
     EXPECT_NEAR(see(centre(bits)).angular_rad_s, turn_rad_s, 1e-9) << bits;
   }
   see_often(centre(16), 20);
-  heading = 15 * kobuki::degree_rad;
+  heading = 15 * degree;
   EXPECT_NEAR(see(centre(16)).angular_rad_s, 0, 1e-9);
-  heading = 16 * kobuki::degree_rad;
+  heading = 16 * degree;
   EXPECT_LT(see(centre(16)).angular_rad_s, 0);
 }
 
@@ -175,28 +175,28 @@ struct Crossing : Docking {
 TEST_F(Crossing, GoesAtSixtyDegreesToTheBearing) {
   sweep(16);  // on the dock's left: the line is on the left
   EXPECT_EQ(see({}).angular_rad_s, 0.33);
-  heading = 57 * kobuki::degree_rad;
+  heading = 57 * degree;
   EXPECT_GT(see({}).angular_rad_s, 0);
   EXPECT_EQ(sut.state(), DockingState::find_stream);
-  heading = 59 * kobuki::degree_rad;
+  heading = 59 * degree;
   EXPECT_EQ(see({16, 0, 0}).linear_mps, 0.1);  // the reference kicks with 0.5 m/s
   EXPECT_EQ(sut.state(), DockingState::get_stream);
 }
 
 TEST_F(Crossing, EndsWhenTheLightOfTheOtherSideComes) {
-  cross(16, 60 * kobuki::degree_rad);
+  cross(16, 60 * degree);
   EXPECT_GT(see({16, 0, 0}).linear_mps, 0);
   EXPECT_EQ(see({32, 0, 0}).angular_rad_s, -0.66);  // the dock is on the right hand
   EXPECT_EQ(sut.state(), DockingState::scan);
   sut.start(now);
   heading = -1;
-  cross(4, -60 * kobuki::degree_rad);
+  cross(4, -60 * degree);
   EXPECT_GT(see({0, 0, 4}).linear_mps, 0);
   EXPECT_EQ(see({0, 0, 2 | 1}).angular_rad_s, 0.66);
 }
 
 TEST_F(Crossing, EndsAfterTwoSecondsWithoutLight) {
-  cross(16, 60 * kobuki::degree_rad);
+  cross(16, 60 * degree);
   see({16, 0, 0});
   for (int i = 0; i < 19 + 100; ++i) EXPECT_GT(see({}).linear_mps, 0) << i;
   EXPECT_EQ(see({}).linear_mps, 0);

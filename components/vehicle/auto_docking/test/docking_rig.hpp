@@ -85,7 +85,7 @@ inline geometry::Pose draw_start(std::mt19937_64& random, const Distances& away 
   const auto uniform = [&](double from, double to) {
     return std::uniform_real_distribution<double>(from, to)(random);
   };
-  const double angle_rad = uniform(-45, 45) * kobuki::degree_rad;
+  const double angle_rad = uniform(-45, 45) * degree;
   const double distance_m = uniform(away.from_m, away.to_m);
   return {distance_m * std::cos(angle_rad), distance_m * std::sin(angle_rad), uniform(-pi, pi)};
 }

@@ -10,7 +10,6 @@ namespace tocsin {
 namespace {
 
 using geometry::Pose;
-using kobuki::degree_rad;
 
 constexpr std::uint64_t seed = 1;
 
@@ -31,7 +30,7 @@ TEST(DockingRun, ArrivesFromEveryPartOfTheField) {
   for (const double x_m : {0.6, 1.2, 2.0}) {
     for (const double angle_deg : {0.0, 20.0, -20.0, 40.0, -40.0}) {
       for (const double yaw : {0.0, 2.0, -2.5}) {
-        const double y_m = x_m * std::tan(angle_deg * degree_rad);
+        const double y_m = x_m * std::tan(angle_deg * degree);
         EXPECT_EQ(expect_docked({}, {x_m, y_m, yaw}).source, kobuki::ChargingSource::dock);
       }
     }
@@ -80,9 +79,9 @@ kobuki::DockLight draw_light(std::mt19937_64& random) {
   light.centre_half_width_m = uniform(0.04, 0.12);
   light.overlap_m = uniform(-0.02, 0.04);
   light.rim_m = uniform(0.1, 0.178);
-  light.receiver_rad = uniform(45, 80) * degree_rad;
-  light.middle_view_rad = uniform(15, 60) * degree_rad;
-  light.side_view_rad = uniform(25, 60) * degree_rad;
+  light.receiver_rad = uniform(45, 80) * degree;
+  light.middle_view_rad = uniform(15, 60) * degree;
+  light.side_view_rad = uniform(25, 60) * degree;
   return light;
 }
 

@@ -10,7 +10,6 @@ namespace tocsin {
 namespace {
 
 using geometry::wrap_angle;
-using kobuki::degree_rad;
 
 /// A base that turns by a degree a frame, at a light seen within a half view around a bearing.
 struct Turning {
@@ -25,16 +24,15 @@ struct Turning {
   int run(int frames) {
     int taken = 0;
     for (; taken < frames && !sut.complete(); ++taken) {
-      const double off =
-          geometry::wrap_angle((heading_deg - bearing_deg) * degree_rad) / degree_rad;
+      const double off = geometry::wrap_angle((heading_deg - bearing_deg) * degree) / degree;
       bool seen = std::abs(off) <= half_view_deg;
       if (seen && misses_every > 0 && ++lit % misses_every == 0) seen = false;
-      sut.update(geometry::wrap_angle(heading_deg * degree_rad), seen ? 16 : 0);
+      sut.update(geometry::wrap_angle(heading_deg * degree), seen ? 16 : 0);
       heading_deg += sut.turn() == Turn::left ? 1 : -1;
     }
     return taken;
   }
-  double found_deg() const { return sut.bearing_rad() / degree_rad; }
+  double found_deg() const { return sut.bearing_rad() / degree; }
 };
 
 TEST(LightSweep, FindsTheMiddleOfTheLight) {

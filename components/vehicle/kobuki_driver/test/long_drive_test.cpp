@@ -18,7 +18,7 @@ double distance_m(const geometry::Pose& a, const geometry::Pose& b) {
 }
 
 double angle_deg(const geometry::Pose& a, const geometry::Pose& b) {
-  return std::abs(geometry::wrap_angle(a.heading_rad - b.heading_rad)) / degree_rad;
+  return std::abs(geometry::wrap_angle(a.heading_rad - b.heading_rad)) / degree;
 }
 
 /// Turns by odometry until the heading is reached.

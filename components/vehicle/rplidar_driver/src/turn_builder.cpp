@@ -31,11 +31,11 @@ void check(const TurnParams& params) {
 
 TurnBuilder::TurnBuilder(const TurnParams& params)
     : params_(params),
-      first_rad_(params.angle_min_deg * pi / 180),
+      first_rad_(params.angle_min_deg * degree),
       step_rad_(2 * pi / params.beams),
       count_(0) {
   check(params);
-  const double view_rad = (params.angle_max_deg - params.angle_min_deg) * pi / 180;
+  const double view_rad = (params.angle_max_deg - params.angle_min_deg) * degree;
   const bool is_whole = view_rad > 2 * pi - step_rad_ / 2;
   count_ = static_cast<std::size_t>(is_whole ? params.beams
                                              : std::lround(std::floor(view_rad / step_rad_)) + 1);

@@ -12,7 +12,6 @@
 namespace tocsin::rplidar {
 namespace {
 
-constexpr double degree = pi / 180;
 constexpr Time start = Time() + std::chrono::hours(1);
 
 /// Readings every degree, a millisecond apart, from clockwise `first_deg` on; their range by angle.

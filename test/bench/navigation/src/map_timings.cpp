@@ -77,10 +77,10 @@ mapping::Scan scan_at(const OccupancyMap& map, const Pose& pose, std::mt19937& r
   std::normal_distribution<double> noise(0, 0.01);
   std::vector<double> ranges_m;
   for (int i = 0; i < 360; ++i) {
-    const auto range_m = map.raycast(position(pose), pose.heading_rad + i * pi / 180, 12);
+    const auto range_m = map.raycast(position(pose), pose.heading_rad + i * degree, 12);
     ranges_m.push_back(range_m ? *range_m + noise(random) : infinity);
   }
-  return laser::make_scan(ranges_m, {{}, 0, pi / 180});
+  return laser::make_scan(ranges_m, {{}, 0, degree});
 }
 
 /// Places 0.25 m apart on a way through the building's middle.

@@ -64,7 +64,7 @@ RelationErrors relation_errors(const std::string& trajectory, const std::string&
     errors.mean_m += off_m;
     squares += off_m * off_m;
     errors.worst_m = std::max(errors.worst_m, off_m);
-    errors.mean_deg += std::abs(off.heading_rad) * 180 / pi;
+    errors.mean_deg += std::abs(off.heading_rad) / degree;
   }
   const auto n = static_cast<double>(std::max<std::size_t>(1, errors.count));
   errors.mean_m /= n;

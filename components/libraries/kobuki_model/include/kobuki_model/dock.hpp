@@ -17,13 +17,13 @@ namespace tocsin::kobuki {
 struct DockLight {
   double far_m = 5.0;
   double near_m = 2.4;
-  double centre_half_width_m = 0.055;        ///< of the centre beam, the same at every distance
-  double overlap_m = 0.03;                   ///< of a side beam over the centre line
-  double side_rad = 55 * degree_rad;         ///< outer edge of the side beams, from the axis
-  double rim_m = 0.16;                       ///< of the receivers from the middle of the base
-  double receiver_rad = 60 * degree_rad;     ///< between receivers
-  double middle_view_rad = 40 * degree_rad;  ///< half the view of the middle receiver
-  double side_view_rad = 40 * degree_rad;    ///< half the view of the others
+  double centre_half_width_m = 0.055;    ///< of the centre beam, the same at every distance
+  double overlap_m = 0.03;               ///< of a side beam over the centre line
+  double side_rad = 55 * degree;         ///< outer edge of the side beams, from the axis
+  double rim_m = 0.16;                   ///< of the receivers from the middle of the base
+  double receiver_rad = 60 * degree;     ///< between receivers
+  double middle_view_rad = 40 * degree;  ///< half the view of the middle receiver
+  double side_view_rad = 40 * degree;    ///< half the view of the others
 };
 
 /// A charging dock: where its infrared light is seen, and when a base touches its contacts.
