@@ -47,6 +47,11 @@ TEST(TopicLists, WhatRos2sToolsLookForHasItsNameAndType) {
                                 "geometry_msgs::msg::dds_::PoseWithCovarianceStamped_");
   expect_topic<topic::InitialPose>("initialpose",
                                    "geometry_msgs::msg::dds_::PoseWithCovarianceStamped_");
+  expect_topic<topic::ParticleCloud>("particle_cloud", "nav2_msgs::msg::dds_::ParticleCloud_");
+  expect_topic<topic::Plan>("plan", "nav_msgs::msg::dds_::Path_");
+  expect_topic<topic::LocalCostmap>("local_costmap/costmap", "nav_msgs::msg::dds_::OccupancyGrid_");
+  expect_topic<topic::CollisionMonitorState>("collision_monitor_state",
+                                             "nav2_msgs::msg::dds_::CollisionMonitorState_");
   expect_topic<topic::MapUpdates>("map_updates", "map_msgs::msg::dds_::OccupancyGridUpdate_");
   expect_topic<topic::Diagnostics>("diagnostics", "diagnostic_msgs::msg::dds_::DiagnosticArray_");
   expect_topic<topic::BatteryState>("battery_state", "sensor_msgs::msg::dds_::BatteryState_");

@@ -6,6 +6,7 @@
 #include "ros_idl/diagnostic_msgs.hpp"
 #include "ros_idl/geometry_msgs.hpp"
 #include "ros_idl/map_msgs.hpp"
+#include "ros_idl/nav2_msgs.hpp"
 #include "ros_idl/nav_msgs.hpp"
 #include "ros_idl/sensor_msgs.hpp"
 #include "ros_idl/std_msgs.hpp"
@@ -75,6 +76,11 @@ struct CmdVelTeleop {
 struct CmdVelSelected {
   using Message = geometry_msgs::msg::Twist;
   static constexpr TopicInfo info{"cmd_vel/selected", "command", Scope::host};
+};
+/// Velocity that what the laser sees allows, from the collision brake.
+struct CmdVelChecked {
+  using Message = geometry_msgs::msg::Twist;
+  static constexpr TopicInfo info{"cmd_vel/checked", "command", Scope::host};
 };
 /// The same within speed and acceleration limits.
 struct CmdVelSmoothed {
@@ -188,6 +194,26 @@ struct AmclPose {
   using Message = geometry_msgs::msg::PoseWithCovarianceStamped;
   static constexpr TopicInfo info{"amcl_pose", "state", Scope::host};
 };
+/// Poses that the localiser holds for possible, frame map.
+struct ParticleCloud {
+  using Message = nav2_msgs::msg::ParticleCloud;
+  static constexpr TopicInfo info{"particle_cloud", "sensor", Scope::host};
+};
+/// The way that the navigator follows, frame map.
+struct Plan {
+  using Message = nav_msgs::msg::Path;
+  static constexpr TopicInfo info{"plan", "state", Scope::host};
+};
+/// Cost of the cells round the vehicle, 0 to 100, frame map.
+struct LocalCostmap {
+  using Message = nav_msgs::msg::OccupancyGrid;
+  static constexpr TopicInfo info{"local_costmap/costmap", "state", Scope::host};
+};
+/// What the collision brake does with the velocity, whenever it changes.
+struct CollisionMonitorState {
+  using Message = nav2_msgs::msg::CollisionMonitorState;
+  static constexpr TopicInfo info{"collision_monitor_state", "state", Scope::host};
+};
 /// Where a person says the vehicle is, frame map.
 struct InitialPose {
   using Message = geometry_msgs::msg::PoseWithCovarianceStamped;
@@ -289,9 +315,10 @@ using AllLinkTopics = List<Location, InitialPose, NetworkQuality, NavigationStat
 
 using AllHostTopics =
     List<CmdVel, Odom, JointStates, Imu, Tf, TfStatic, Scan, Diagnostics, CmdVelNavigation,
-         CmdVelDocking, CmdVelTeleop, CmdVelSelected, CmdVelSmoothed, MuxActive, MuxInputs,
-         MuxSetInputs, SafetyEnable, EmergencyStop, LinkStop, EmergencyStopRequest,
+         CmdVelDocking, CmdVelTeleop, CmdVelSelected, CmdVelChecked, CmdVelSmoothed, MuxActive,
+         MuxInputs, MuxSetInputs, SafetyEnable, EmergencyStop, LinkStop, EmergencyStopRequest,
          EmergencyStopState, MissionPath, MissionCommand, Map, MapUpdates, ExploreStatus, AmclPose,
-         LinkBudget, LogRequest, ContainerState>;
+         ParticleCloud, Plan, LocalCostmap, CollisionMonitorState, LinkBudget, LogRequest,
+         ContainerState>;
 
 }  // namespace tocsin::topic

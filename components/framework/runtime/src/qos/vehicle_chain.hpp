@@ -15,6 +15,7 @@ inline constexpr std::array chain_topics{
     "cmd_vel/docking",
     "cmd_vel/teleop",
     "cmd_vel/selected",
+    "cmd_vel/checked",
     "cmd_vel/smoothed",
     "velocity_mux/set_inputs",
     "safety_controller/enable",
