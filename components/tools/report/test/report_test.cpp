@@ -70,7 +70,7 @@ TEST_F(ReportTest, ReportsARunWhoseClockWasSet) {
   run_.append("gcs/messages.csv", "1800000000,1800000000,camera/image,1,6,1000\n");
   EXPECT_EQ(run("--no-plot " + run_.path(), "ulimit -v 2000000;"), 0) << output();
   EXPECT_THAT(output(),
-              HasSubstr("uxv low                                 4      0      2   33.3"));
+              HasSubstr("uxv low                                 4           0      2   33.3"));
 }
 
 }  // namespace
