@@ -127,8 +127,10 @@ void BaseModel::step(Time now, const FrameSink& sink) {
 }
 
 geometry::Twist BaseModel::true_velocity(const WheelSpeeds& rolling) const {
-  return body_velocity({rolling.left_mps * params_.left_wheel_scale * (1.0 - left_slip_),
-                        rolling.right_mps * params_.right_wheel_scale * (1.0 - right_slip_)});
+  const double grip = 1.0 - inputs_.slip;
+  return body_velocity(
+      {rolling.left_mps * params_.left_wheel_scale * (1.0 - left_slip_) * grip,
+       rolling.right_mps * params_.right_wheel_scale * (1.0 - right_slip_) * grip});
 }
 
 void BaseModel::physics(Time now) {

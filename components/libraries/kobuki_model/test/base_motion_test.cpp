@@ -51,6 +51,19 @@ TEST(BaseModel, BeginsToMoveExactlyAfterTheDeadTime) {
   EXPECT_NEAR(sut.velocity().linear_mps, 0.015, 1e-12);
 }
 
+TEST(BaseModel, OnSlipperyFloorItsWheelsTurnFartherThanItMoves) {
+  const auto drive = [](double slip) {
+    BaseModel model(exact(), open_floor(), {}, 1, t0);
+    model.inputs().slip = slip;
+    model.receive(encode_command(BaseControl{300, 0}).bytes(), t0);
+    model.step(t0 + seconds(0.5), [](Time, ByteView) {});
+    return model;
+  };
+  EXPECT_NEAR(drive(0.25).pose().x_m, 0.75 * drive(0).pose().x_m, 1e-6);
+  EXPECT_EQ(drive(1).pose().x_m, 0);
+  EXPECT_EQ(drive(1).memory(t0).left_ticks, drive(0).memory(t0).left_ticks);
+}
+
 TEST(BaseModel, DriftsAsARandomWalkWithTheDeviationOfItsParameter) {
   ModelParams params = exact();
   params.gyro_drift_deg_per_sqrt_s = 1;

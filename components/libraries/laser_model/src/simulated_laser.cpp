@@ -33,9 +33,17 @@ void SimulatedLaser::step(const Motion& motion, Time now, const rplidar::Rplidar
   device_.step(now, sink);
 }
 
-/// The vehicle was on an arc since then.
 rplidar::RplidarModel::Look SimulatedLaser::look(double bearing_rad, Time at) {
   if (is_covered_ && bearing_rad > 0) return {0, 0};
+  const double share = geometry::wrap_angle(bearing_rad) / (2 * pi) + 0.5;
+  const auto bin = static_cast<std::size_t>(share * static_cast<double>(last_turn_m_.size()));
+  double& last_m = last_turn_m_[bin % last_turn_m_.size()];
+  if (!is_stuck_) last_m = measure(bearing_rad, at);
+  return {last_m, 47};
+}
+
+/// The vehicle was on an arc since then. 0: no return.
+double SimulatedLaser::measure(double bearing_rad, Time at) {
   const double dt_s = to_seconds(at - motion_time_);
   const double turn_rad = motion_.velocity.angular_rad_s * dt_s;
   const double way_m = motion_.velocity.linear_mps * dt_s;
@@ -43,7 +51,7 @@ rplidar::RplidarModel::Look SimulatedLaser::look(double bearing_rad, Time at) {
                              turn_rad};
   const geometry::Pose laser = compose(compose(motion_.pose, since), mount_);
   const double range_m = model_.range(*scene_, laser, bearing_rad);
-  return {std::isfinite(range_m) ? range_m : 0, 47};
+  return std::isfinite(range_m) ? range_m : 0;
 }
 
 }  // namespace tocsin::laser

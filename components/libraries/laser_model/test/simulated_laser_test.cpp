@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "foundation/numbers.hpp"
@@ -73,6 +74,21 @@ TEST_F(SimulatedLaserTest, CoveredItSeesWithItsRightHalfOnly) {
     }
   }
   EXPECT_GT(right, 100);
+}
+
+TEST_F(SimulatedLaserTest, StuckItRepeatsItsLastTurnWhereverTheVehicleDrives) {
+  const auto farthest_ahead = [this] {
+    double farthest_m = 0;
+    for (const auto& one : drive(0.5, 0)) {
+      if (std::cos(one.angle_rad) > 0.99) farthest_m = std::max(farthest_m, one.range_m);
+    }
+    return farthest_m;
+  };
+  EXPECT_GT(farthest_ahead(), 5.0);
+  laser_.stick(true);
+  EXPECT_LT(farthest_ahead(), 4.4) << "the wall was 4.1 m away in the end";
+  laser_.stick(false);
+  EXPECT_GT(farthest_ahead(), 5.0);
 }
 
 }  // namespace

@@ -80,6 +80,7 @@ bool set_one(Adjustable& settings, const std::string& key, const std::string& va
   }
   if (key == "digital") return set_mask(settings.inputs.digital, value, 65535);
   if (key == "charger") return set_charger(settings.source, value);
+  if (key == "slip") return set_share(settings.inputs.slip, value);
   if (key == "charge") return set_share(settings.charge, value);
   if (key == "flip") return set_share(settings.line.flip_probability, value);
   if (key == "loss") return set_share(settings.line.loss_probability, value);

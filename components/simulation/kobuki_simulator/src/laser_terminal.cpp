@@ -36,8 +36,10 @@ std::string LaserTerminal::obey(const std::string& verb, Time now) {
     laser_.device().stall(verb == "stall", now);
   } else if (verb == "cover" || verb == "uncover") {
     laser_.cover(verb == "cover");
+  } else if (verb == "stick" || verb == "loosen") {
+    laser_.stick(verb == "stick");
   } else if (verb != "plug" && verb != "unplug") {
-    return "error: laser unplug|plug|stall|free|cover|uncover";
+    return "error: laser unplug|plug|stall|free|cover|uncover|stick|loosen";
   }
   return "ok";
 }

@@ -28,7 +28,7 @@ class LaserTerminal {
   [[nodiscard]] Time next_event() const;
   [[nodiscard]] int descriptor() const { return terminal_.descriptor(); }
 
-  /// Obeys `unplug`, `plug`, `stall`, `free`, `cover` or `uncover`; returns "ok" or "error: ...".
+  /// Obeys a VERB of obey_control's `laser`; returns "ok" or "error: ...".
   [[nodiscard]] std::string obey(const std::string& verb, Time now);
 
  private:

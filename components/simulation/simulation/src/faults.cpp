@@ -16,9 +16,10 @@
 namespace tocsin::simulation {
 namespace {
 
-constexpr std::array<const char*, 12> names{"crash",      "loss",           "delay",  "duplication",
-                                            "clock_jump", "serial_noise",   "unplug", "disk_full",
-                                            "stop",       "rogue_velocity", "freeze", "forge"};
+constexpr std::array names{"crash",         "loss",   "delay",      "duplication", "clock_jump",
+                           "serial_noise",  "unplug", "disk_full",  "stop",        "rogue_velocity",
+                           "freeze",        "forge",  "laser_dead", "laser_stuck", "laser_late",
+                           "laser_covered", "slip",   "kidnap"};
 /// The first of them are drawn from one sequence of numbers.
 constexpr std::size_t drawn_together = 8;
 
@@ -33,18 +34,20 @@ struct FaultEntry {
   void visit(Visitor& v) {
     v("kind", kind,
       {"crash", "loss", "delay", "duplication", "clock_jump", "serial_noise", "unplug", "disk_full",
-       "stop", "rogue_velocity", "freeze", "forge"},
+       "stop", "rogue_velocity", "freeze", "forge", "laser_dead", "laser_stuck", "laser_late",
+       "laser_covered", "slip", "kidnap"},
       "what goes wrong");
     v("at_s", at_s, {0, 1e6}, "[s] from the start of the run");
     v("for_s", for_s, {0.001, 1e6}, "[s] how long; of a crash: until it is started again");
     v("target", target, "crash and freeze: host/process; clock_jump: host");
-    v("amount", amount, {-1e6, 1e6}, "share, or [s] of delay and clock_jump");
+    v("amount", amount, {-1e6, 1e6},
+      "share, [s] of delay, clock_jump and laser_late, or [m] of kidnap");
   }
 };
 
 void check(const Fault& fault, const std::string& path) {
   const bool is_share = fault.kind == FaultKind::loss || fault.kind == FaultKind::duplication ||
-                        fault.kind == FaultKind::serial_noise;
+                        fault.kind == FaultKind::serial_noise || fault.kind == FaultKind::slip;
   if (is_share && (fault.amount < 0 || fault.amount > 1)) {
     throw ConfigError(path + ": faults.amount: " + std::to_string(fault.amount) +
                       " is outside [0, 1]");
@@ -53,8 +56,10 @@ void check(const Fault& fault, const std::string& path) {
   if (!std::all_of(words.begin(), words.end(), is_name)) {
     throw ConfigError(path + ": faults.target: '" + fault.target + "' is not host or host/process");
   }
-  if (fault.kind == FaultKind::delay && fault.amount < 0) {
-    throw ConfigError(path + ": faults.amount: a delay is not negative");
+  const bool is_magnitude = fault.kind == FaultKind::delay || fault.kind == FaultKind::laser_late ||
+                            fault.kind == FaultKind::kidnap;
+  if (is_magnitude && fault.amount < 0) {
+    throw ConfigError(path + ": faults.amount: a delay or a distance is not negative");
   }
 }
 
@@ -85,10 +90,21 @@ std::vector<std::string> processes_of(const deployment::Deployment& deployment, 
   return all;
 }
 
-bool has_router(const deployment::Container& container) {
+bool has(const deployment::Container& container, const char* component) {
   const auto& components = container.components;
   return std::any_of(components.begin(), components.end(),
-                     [](const auto& one) { return one.component == "link_router"; });
+                     [component](const auto& one) { return one.component == component; });
+}
+
+bool has_router(const deployment::Container& container) { return has(container, "link_router"); }
+
+bool has_localiser(const deployment::Container& container) { return has(container, "localiser"); }
+
+bool has_laser(const deployment::Host& host) {
+  return std::any_of(host.programs.begin(), host.programs.end(), [](const auto& program) {
+    const auto& words = program.command;
+    return std::find(words.begin(), words.end(), "--laser") != words.end();
+  });
 }
 
 Fault draw_fault(Draw& draw, const deployment::Deployment& deployment) {
@@ -159,6 +175,35 @@ std::optional<Fault> draw_forge(std::uint64_t seed) {
   return in_the_first_minute(FaultKind::forge, draw);
 }
 
+std::optional<Fault> draw_laser_fault(std::uint64_t seed,
+                                      const deployment::Deployment& deployment) {
+  Draw draw = draw_of(FaultKind::laser_dead, seed);
+  const auto& hosts = deployment.hosts;
+  if (draw.below(2) != 0 || !std::any_of(hosts.begin(), hosts.end(), has_laser))
+    return std::nullopt;
+  constexpr std::array kinds{FaultKind::laser_dead, FaultKind::laser_stuck, FaultKind::laser_late,
+                             FaultKind::laser_covered};
+  Fault fault = in_the_first_minute(kinds[draw.below(kinds.size())], draw);
+  if (fault.kind == FaultKind::laser_late) fault.amount = draw.between(0.3, 1.1);
+  return fault;
+}
+
+/// What only a vehicle that looks where it is can bear.
+void draw_displacements(std::uint64_t seed, const deployment::Deployment& deployment,
+                        FaultPlan& plan) {
+  if (processes_of(deployment, has_localiser).empty()) return;
+  Draw slip = draw_of(FaultKind::slip, seed);
+  if (slip.below(3) == 0) {
+    plan.push_back(in_the_first_minute(FaultKind::slip, slip));
+    plan.back().amount = slip.between(0.1, 1);
+  }
+  Draw kidnap = draw_of(FaultKind::kidnap, seed);
+  if (kidnap.below(4) == 0) {
+    plan.push_back(in_the_first_minute(FaultKind::kidnap, kidnap));
+    plan.back().amount = kidnap.between(1, 5);
+  }
+}
+
 }  // namespace
 
 FaultPlan random_faults(std::uint64_t seed, const deployment::Deployment& deployment) {
@@ -171,6 +216,8 @@ FaultPlan random_faults(std::uint64_t seed, const deployment::Deployment& deploy
   }
   if (const auto freeze = draw_freeze(seed, deployment)) plan.push_back(*freeze);
   if (const auto forge = draw_forge(seed)) plan.push_back(*forge);
+  if (const auto laser = draw_laser_fault(seed, deployment)) plan.push_back(*laser);
+  draw_displacements(seed, deployment, plan);
   std::sort(plan.begin(), plan.end(), earlier);
   return plan;
 }

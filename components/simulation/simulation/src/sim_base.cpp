@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <map>
 #include <utility>
 
 #include "foundation/error.hpp"
+#include "foundation/numbers.hpp"
 #include "geometry/wall_file.hpp"
 #include "kobuki_model/base_settings.hpp"
 #include "laser_model/obstacle_file.hpp"
@@ -160,6 +162,28 @@ void SimBase::set_noise(double share) {
   kobuki::LineParams params = quiet_line_;
   params.flip_probability = params.loss_probability = params.noise_probability = share / 3;
   line_.configure(share > 0 ? params : quiet_line_);
+}
+
+void SimBase::carry_off(double most_m) {
+  constexpr double step_m = 0.1;
+  constexpr double room_m = 0.3;  // round the middle of the base
+  constexpr int directions = 12;
+  const geometry::Pose from = model_.pose();
+  const auto touched = room_.touched();
+  geometry::Pose best = from;
+  double best_m = 0;
+  for (int i = 0; i < directions; ++i) {
+    const double bearing_rad = from.heading_rad + i * 2 * pi / directions;
+    for (double way_m = step_m; way_m <= most_m; way_m += step_m) {
+      const double x_m = from.x_m + way_m * std::cos(bearing_rad);
+      const double y_m = from.y_m + way_m * std::sin(bearing_rad);
+      if (!touched(x_m, y_m, 0.1).empty()) break;  // a wall: what is behind may be out of reach
+      if (way_m <= best_m || !touched(x_m, y_m, room_m).empty()) continue;
+      best = {x_m, y_m, geometry::wrap_angle(from.heading_rad + 2)};
+      best_m = way_m;
+    }
+  }
+  model_.place(best);
 }
 
 std::unique_ptr<SerialDevice> SimBase::open(Devices::Readable readable) {

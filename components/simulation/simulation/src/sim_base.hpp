@@ -53,6 +53,11 @@ class SimBase {
   void plug();
   /// So many of the bytes to the computer [0, 1] are flipped, lost or invented; 0: as configured.
   void set_noise(double share);
+  /// A share of what the wheels turn [0, 1] does not move the vehicle.
+  void set_slip(double share) { model_.inputs().slip = share; }
+  /// Somebody puts the vehicle to a free place up to `most_m` away and turns it; the farthest of
+  /// some directions.
+  void carry_off(double most_m);
   /// When the computer last sent something; Time::min() never.
   [[nodiscard]] Time commanded() const { return commanded_; }
   /// The computer's end of the line. It must not outlive the base; one at a time. Null while it is

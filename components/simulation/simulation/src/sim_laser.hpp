@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <deque>
 #include <memory>
 #include <string>
 #include <vector>
@@ -9,6 +11,7 @@
 #include "devices/devices.hpp"
 #include "devices/serial_device.hpp"
 #include "laser_model/simulated_laser.hpp"
+#include "simulation/faults.hpp"
 
 namespace tocsin::simulation {
 
@@ -30,16 +33,30 @@ class SimLaser {
   [[nodiscard]] Time next_event() const;
   /// Does what is due at the core's time, on a vehicle that moves like this.
   void advance(const laser::SimulatedLaser::Motion& motion);
-  /// The computer's end of the line. It must not outlive the laser; one at a time.
+  /// The computer's end of the line. It must not outlive the laser; one at a time. Null while it is
+  /// unplugged.
   [[nodiscard]] std::unique_ptr<SerialDevice> open(Devices::Readable readable);
-  [[nodiscard]] laser::SimulatedLaser& device() { return laser_; }
+  /// One of the faults of lasers.
+  void begin(const Fault& fault) { set(fault, true); }
+  void end(const Fault& fault) { set(fault, false); }
 
  private:
   class Port;
+  struct Sent {
+    Time arrives;
+    std::vector<std::uint8_t> bytes;
+  };
+  void set(const Fault& fault, bool holds);
+  void set_plugged(bool plugged);
+  void deliver();
   Core& core_;
   std::string path_;
   laser::SimulatedLaser laser_;
+  Duration delay_{};
+  std::deque<Sent> sent_;
   std::vector<std::uint8_t> arrived_;
+  bool is_plugged_ = true;
+  int plugged_ = 0;  ///< how often it was
   Devices::Readable readable_;
 };
 

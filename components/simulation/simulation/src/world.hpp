@@ -77,6 +77,8 @@ class World {
   void plan_freeze(const Fault& fault);
   void plan_air(const Fault& fault);
   void plan_serial(const Fault& fault);
+  void plan_laser(const Fault& fault);
+  void plan_displacement(const Fault& fault);
   void plan_disk(const Fault& fault);
   void plan_stop(const Fault& fault);
   void plan_rogue(const Fault& fault);

@@ -42,6 +42,14 @@ void World::plan(const Fault& fault) {
       return plan_rogue(fault);
     case FaultKind::forge:
       return plan_forge(fault);
+    case FaultKind::laser_dead:
+    case FaultKind::laser_stuck:
+    case FaultKind::laser_late:
+    case FaultKind::laser_covered:
+      return plan_laser(fault);
+    case FaultKind::slip:
+    case FaultKind::kidnap:
+      return plan_displacement(fault);
     case FaultKind::clock_jump:
       break;
   }
@@ -82,6 +90,30 @@ void World::plan_serial(const Fault& fault) {
         unplugs ? base.unplug() : base.set_noise(share);
       });
       at(fault.at_s + fault.for_s, [&base, unplugs] { unplugs ? base.plug() : base.set_noise(0); });
+    }
+  }
+}
+
+void World::plan_laser(const Fault& fault) {
+  for (Side& side : sides_) {
+    for (SimBase& base : side.bases) {
+      SimLaser* const laser = base.laser();
+      if (laser == nullptr) continue;
+      at(fault.at_s, [laser, fault] { laser->begin(fault); });
+      at(fault.at_s + fault.for_s, [laser, fault] { laser->end(fault); });
+    }
+  }
+}
+
+void World::plan_displacement(const Fault& fault) {
+  for (Side& side : sides_) {
+    for (SimBase& base : side.bases) {
+      if (fault.kind == FaultKind::kidnap) {
+        at(fault.at_s, [&base, most_m = fault.amount] { base.carry_off(most_m); });
+      } else {
+        at(fault.at_s, [&base, share = fault.amount] { base.set_slip(share); });
+        at(fault.at_s + fault.for_s, [&base] { base.set_slip(0); });
+      }
     }
   }
 }

@@ -132,6 +132,38 @@ TEST(RandomFaults, FreezeARouterInEveryThirdRunAndForgeInEveryFourth) {
   EXPECT_NEAR(forgeries, 250, 50);
 }
 
+int count_of(const deployment::Deployment& deployment, FaultKind first, FaultKind last) {
+  int count = 0;
+  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    for (const Fault& fault : random_faults(seed, deployment)) {
+      if (fault.kind >= first && fault.kind <= last) ++count;
+    }
+  }
+  return count;
+}
+
+TEST(RandomFaults, AreOfALaserWhereThereIsOne) {
+  auto deployment = two_hosts();
+  EXPECT_EQ(count_of(deployment, FaultKind::laser_dead, FaultKind::kidnap), 0);
+  deployment.hosts.front().programs.push_back({});
+  deployment.hosts.front().programs.back().command = {"kobuki_simulator", "--laser", "port"};
+  EXPECT_NEAR(count_of(deployment, FaultKind::laser_dead, FaultKind::laser_covered), 500, 50);
+  for (int kind = 0; kind < 4; ++kind) {
+    const auto one = static_cast<FaultKind>(static_cast<int>(FaultKind::laser_dead) + kind);
+    EXPECT_NEAR(count_of(deployment, one, one), 125, 35) << kind;
+  }
+  EXPECT_EQ(count_of(deployment, FaultKind::slip, FaultKind::kidnap), 0);
+}
+
+TEST(RandomFaults, DisplaceAVehicleThatHasALocaliser) {
+  auto deployment = two_hosts();
+  deployment::ComponentInstance localiser;
+  localiser.name = localiser.component = "localiser";
+  deployment.hosts.front().containers.front().components.push_back(std::move(localiser));
+  EXPECT_NEAR(count_of(deployment, FaultKind::slip, FaultKind::slip), 333, 50);
+  EXPECT_NEAR(count_of(deployment, FaultKind::kidnap, FaultKind::kidnap), 250, 50);
+}
+
 bool crashes(const FaultPlan& plan, const std::string& process) {
   return std::any_of(plan.begin(), plan.end(), [&](const Fault& fault) {
     return fault.kind == FaultKind::crash && fault.target == process;

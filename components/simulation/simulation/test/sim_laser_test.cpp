@@ -58,6 +58,33 @@ TEST_F(SimLaserTest, MeasuresForWhoeverHasItOpen) {
   EXPECT_GT(run(1), 1900U);
 }
 
+TEST_F(SimLaserTest, IsDeadUntilItIsPluggedInAgainAndOpenedAnew) {
+  open();
+  scan();
+  const Fault dead{FaultKind::laser_dead, 0, 1, "", 0};
+  sut_.begin(dead);
+  EXPECT_EQ(run(1), 0U);
+  EXPECT_FALSE(sut_.open([] {}));
+  std::uint8_t byte = 0;
+  EXPECT_FALSE(port_->read(&byte, 1)) << "lost";
+  EXPECT_FALSE(port_->write(&byte, 1)) << "lost";
+  sut_.end(dead);
+  EXPECT_FALSE(port_->read(&byte, 1)) << "lost for good";
+  open();
+  run(1);
+  scan();
+  EXPECT_GT(run(1), 1900U);
+}
+
+TEST_F(SimLaserTest, IsLate) {
+  open();
+  run(1);
+  sut_.begin({FaultKind::laser_late, 0, 1, "", 0.5});
+  scan();
+  EXPECT_EQ(run(0.49), 0U);
+  EXPECT_GT(run(0.5), 900U);
+}
+
 TEST_F(SimLaserTest, OfAnUnknownKindIsRefused) {
   EXPECT_THROW(SimLaser(core_, {"/dev/rplidar", "sonar", {}}, scene_, 1), ConfigError);
 }

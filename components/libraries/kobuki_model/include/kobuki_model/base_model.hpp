@@ -31,6 +31,7 @@ struct BaseInputs {
   std::uint16_t digital = 0;
   std::array<std::uint16_t, 4> analog{4060, 4060, 4060, 4060};  ///< open, as in real captures
   DockInfrared dock;  ///< in addition to what a dock in the room shines
+  double slip = 0;    ///< share of the wheels' turning that does not move the base [range 0,1]
 };
 
 /// What the computer has set or asked for.

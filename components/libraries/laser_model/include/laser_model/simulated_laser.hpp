@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -35,10 +36,13 @@ class SimulatedLaser {
 
   /// Something hangs over the left half of it, which then measures nothing.
   void cover(bool half) { is_covered_ = half; }
+  /// It repeats what it measured in its last turn.
+  void stick(bool stuck) { is_stuck_ = stuck; }
   [[nodiscard]] rplidar::RplidarModel& device() { return device_; }
 
  private:
   [[nodiscard]] rplidar::RplidarModel::Look look(double bearing_rad, Time at);
+  [[nodiscard]] double measure(double bearing_rad, Time at);
 
   std::shared_ptr<const Scene> scene_;
   geometry::Pose mount_;
@@ -46,6 +50,8 @@ class SimulatedLaser {
   Motion motion_;
   Time motion_time_;
   bool is_covered_ = false;
+  bool is_stuck_ = false;
+  std::array<double, 720> last_turn_m_{};  ///< by bearing, from 0 to the left
   rplidar::RplidarModel device_;
 };
 

@@ -24,6 +24,12 @@ enum class FaultKind : std::uint8_t {
                    ///< chain
   freeze,          ///< the process host/name computes nothing for `for_s`, as by kill -STOP
   forge,           ///< somebody on the radio speaks in the routers' names, without their secrets
+  laser_dead,      ///< the laser's serial port is gone
+  laser_stuck,     ///< the laser repeats its last turn
+  laser_late,      ///< the laser's bytes come `amount` seconds later
+  laser_covered,   ///< the left half of the laser measures nothing
+  slip,            ///< a share `amount` of what the wheels turn does not move the vehicle
+  kidnap,          ///< the vehicle is put to a free place up to `amount` metres away, for good
 };
 
 /// One fault, at a time after the start of the run.
@@ -43,6 +49,8 @@ using FaultPlan = std::vector<Fault>;
 ///
 /// Besides them, in every second run, a stop, and in the half of these somebody who publishes
 /// velocities meanwhile; in every third run a router is frozen, in every fourth somebody forges.
+/// Where the base has a laser, something is wrong with it in every second run; where a localiser
+/// runs, the wheels slip in every third and the vehicle is carried off in every fourth.
 /// These are drawn from numbers of their own: a kind that is added does not change what a seed
 /// draws of the others.
 [[nodiscard]] FaultPlan random_faults(std::uint64_t seed, const deployment::Deployment& deployment);
