@@ -68,6 +68,22 @@ Point place_of(const Walker& walker, double time_s) {
   return at_length(walker.way, comes_back ? length_of(walker.way) - length_m : length_m);
 }
 
+std::vector<Wall> sides_of(const Disc& disc) {
+  constexpr int count = 8;
+  std::vector<Wall> sides;
+  const auto corner = [&disc](int i) {
+    const double bearing_rad = i * 2 * pi / count;
+    return Point{disc.centre.x_m + disc.radius_m * std::cos(bearing_rad),
+                 disc.centre.y_m + disc.radius_m * std::sin(bearing_rad)};
+  };
+  for (int i = 0; i < count; ++i) {
+    const Point from = corner(i);
+    const Point to = corner(i + 1);
+    sides.push_back({from.x_m, from.y_m, to.x_m, to.y_m, 0});
+  }
+  return sides;
+}
+
 std::vector<Wall> sides_of(const std::vector<Box>& boxes) {
   std::vector<Wall> sides;
   for (const Box& box : boxes) {

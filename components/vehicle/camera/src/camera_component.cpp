@@ -9,6 +9,7 @@
 #include "camera/jpeg.hpp"
 #include "geometry/pose_message.hpp"
 #include "geometry/wall_file.hpp"
+#include "laser_model/obstacle_file.hpp"
 #include "runtime/component_entry.hpp"
 
 namespace tocsin {
@@ -30,12 +31,24 @@ bool is_fitted(const CameraComponent::Params& params) {
          a.sensor_noise == b.sensor_noise;
 }
 
+std::vector<geometry::Wall> with_what_stands(std::vector<geometry::Wall> walls,
+                                             const laser::Obstacles& obstacles) {
+  const auto add = [&walls](const std::vector<geometry::Wall>& sides) {
+    walls.insert(walls.end(), sides.begin(), sides.end());
+  };
+  add(laser::sides_of(obstacles.boxes));
+  for (const laser::Disc& disc : obstacles.discs) add(laser::sides_of(disc));
+  return walls;
+}
+
 }  // namespace
 
 CameraComponent::CameraComponent(Context& context, const Params& params)
     : Component(context),
       params_(params),
-      walls_(geometry::load_walls(params.walls_file)),
+      obstacles_(params.obstacles_file.empty() ? laser::Obstacles()
+                                               : laser::load_obstacles(params.obstacles_file)),
+      walls_(with_what_stands(geometry::load_walls(params.walls_file), obstacles_)),
       period_(seconds(1 / params.rate_hz)),
       pose_timeout_(seconds(params.pose_timeout_s)) {
   const bool draws =
@@ -101,8 +114,19 @@ void CameraComponent::fill(Picture& picture, double size) {
   }
 }
 
+std::vector<geometry::Wall> CameraComponent::people() {
+  constexpr double ns_per_s = 1e9;
+  const double now_s = static_cast<double>(bus().wall_ns(bus().now())) / ns_per_s;
+  std::vector<geometry::Wall> people;
+  for (const laser::Walker& walker : obstacles_.walkers) {
+    const auto sides = laser::sides_of(laser::Disc{place_of(walker, now_s), walker.radius_m});
+    people.insert(people.end(), sides.begin(), sides.end());
+  }
+  return people;
+}
+
 std::vector<std::uint8_t> CameraComponent::draw(double size) {
-  const camera::Picture picture = renderer_->render(*view_, frame_++);
+  const camera::Picture picture = renderer_->render(*view_, frame_++, people());
   return camera::encode_jpeg(picture, size < 1 ? quality_for(size, picture) : params_.quality);
 }
 

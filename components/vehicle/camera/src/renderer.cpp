@@ -63,15 +63,32 @@ Renderer::Renderer(const CameraParams& params, std::vector<geometry::Wall> walls
       noise_(make_noise(params)),
       picture_(params.width, params.height) {}
 
-const Picture& Renderer::render(const geometry::Pose& view, std::uint32_t frame) {
+const Picture& Renderer::render(const geometry::Pose& view, std::uint32_t frame,
+                                const std::vector<geometry::Wall>& people) {
   assert(std::isfinite(view.x_m) && std::isfinite(view.y_m) && std::isfinite(view.heading_rad));
   for (int row = 0; row < params_.height; ++row) draw_row(view, row);
   for (int column = 0; column < params_.width; ++column) {
-    cast(ray_through(view, sideways(column)), walls_, hits_);
-    for (const Hit& hit : hits_) draw_strip(column, hit);
+    draw_column(column, ray_through(view, sideways(column)), people);
   }
   add_noise(frame);
   return picture_;
+}
+
+/// What is nearer is drawn over what is farther.
+void Renderer::draw_column(int column, const Ray& ray, const std::vector<geometry::Wall>& people) {
+  cast(ray, walls_, hits_);
+  cast(ray, people, people_hits_);
+  auto person = people_hits_.cbegin();
+  const auto draw_people = [&](double beyond_m) {
+    for (; person != people_hits_.cend() && person->depth_m > beyond_m; ++person) {
+      draw_strip(column, *person, person_height_m);
+    }
+  };
+  for (const Hit& hit : hits_) {
+    draw_people(hit.depth_m);
+    draw_strip(column, hit, hit.is_furniture ? furniture_height_m : wall_height_m);
+  }
+  draw_people(0);
 }
 
 double Renderer::sideways(int column) const {
@@ -105,8 +122,7 @@ void Renderer::draw_row(const geometry::Pose& view, int row) {
   }
 }
 
-void Renderer::draw_strip(int column, const Hit& hit) {
-  const double height_m = hit.is_furniture ? furniture_height_m : wall_height_m;
+void Renderer::draw_strip(int column, const Hit& hit, double height_m) {
   const double pixels_per_m = focal_px_ / hit.depth_m;
   const double middle = params_.height / 2.0;
   const double bottom = middle + params_.camera_height_m * pixels_per_m;

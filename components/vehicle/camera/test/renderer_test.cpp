@@ -60,6 +60,30 @@ int wall_top(const CameraParams& params, double distance_m) {
   return params.height;
 }
 
+/// Rows of the middle column that differ between two pictures.
+int rows_that_differ(const Picture& a, const Picture& b, int column) {
+  int rows = 0;
+  for (int row = 0; row < a.height; ++row) {
+    if (!std::equal(a.at(column, row), a.at(column, row) + 3, b.at(column, row))) ++rows;
+  }
+  return rows;
+}
+
+TEST(Renderer, DrawsAPersonBeforeWhatIsFartherAndBehindWhatIsNearer) {
+  auto walls = room();
+  const std::vector<geometry::Wall> person{{2, -0.3, 2, 0.3, 0}};
+  Renderer sut(small(), walls);
+  const Picture empty = sut.render({}, 0);
+  const int middle = small().width / 2;
+  // From the floor up 1.7 m at 2 m, where a metre is 69 rows, cut by the edge of the picture.
+  EXPECT_NEAR(rows_that_differ(sut.render({}, 0, person), empty, middle), 60 + 0.3 * 69, 8);
+  EXPECT_EQ(rows_that_differ(sut.render({}, 0, person), empty, 5), 0) << "beside the person";
+  walls.push_back({1, -3, 1, 3, wall_loss_db});
+  Renderer behind(small(), walls);
+  const Picture wall = behind.render({}, 0);
+  EXPECT_EQ(rows_that_differ(behind.render({}, 0, person), wall, middle), 0);
+}
+
 TEST(Renderer, GivesTheSamePictureForTheSameArguments) {
   CameraParams params = small();
   params.sensor_noise = 4;

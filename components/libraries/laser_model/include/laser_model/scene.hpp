@@ -39,6 +39,9 @@ struct Obstacles {
   std::vector<Walker> walkers;
 };
 
+/// Eight sides of a disc, no wall of the building: one can look over it.
+[[nodiscard]] std::vector<geometry::Wall> sides_of(const Disc& disc);
+
 /// The four sides of each box.
 [[nodiscard]] std::vector<geometry::Wall> sides_of(const std::vector<Box>& boxes);
 

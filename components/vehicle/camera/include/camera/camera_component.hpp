@@ -13,6 +13,7 @@
 #include "foundation/enum_words.hpp"
 #include "foundation/parameters.hpp"
 #include "geometry/wall.hpp"
+#include "laser_model/scene.hpp"
 #include "runtime/component.hpp"
 #include "runtime/port.hpp"
 #include "tocsin_idl/topics.hpp"
@@ -30,6 +31,7 @@ class CameraComponent final : public Component {
  public:
   struct Params {
     std::string walls_file;
+    std::string obstacles_file;
     double rate_hz = 8;
     int quality = 65;
     double pose_timeout_s = 2;
@@ -39,6 +41,7 @@ class CameraComponent final : public Component {
     template <class Visitor>
     void visit(Visitor& v) {
       v("walls_file", walls_file, "wall segments of the building, map frame; required");
+      v("obstacles_file", obstacles_file, "what stands and walks there besides; empty: nothing");
       v("rate_hz", rate_hz, {0.1, 30}, "[1/s] pictures");
       v("quality", quality, {1, 100}, "[1] of the JPEG; sets the size of a picture");
       v("pose_timeout_s", pose_timeout_s, {0.1, 60}, "[s] no picture from an older location");
@@ -48,7 +51,7 @@ class CameraComponent final : public Component {
     }
   };
 
-  /// ConfigError when the walls file cannot be used.
+  /// ConfigError when one of the files cannot be used.
   CameraComponent(Context& context, const Params& params);
   void tick(Time now) override;
 
@@ -62,6 +65,7 @@ class CameraComponent final : public Component {
   /// [B] of the view's JPEG in full quality, without drawing it.
   [[nodiscard]] std::size_t full_size();
   void calibrate();
+  [[nodiscard]] std::vector<geometry::Wall> people();
   [[nodiscard]] std::vector<std::uint8_t> draw(double size);
   [[nodiscard]] int quality_for(double size, const camera::Picture& picture);
 
@@ -69,7 +73,8 @@ class CameraComponent final : public Component {
   OptionalInput<topic::LinkBudget> budget_{*this, WakeMode::time_triggered};
   Output<topic::CameraImage> image_{*this};
   const Params params_;
-  std::vector<geometry::Wall> walls_;
+  const laser::Obstacles obstacles_;
+  std::vector<geometry::Wall> walls_;  ///< and what stands before them
   Duration period_;
   Duration pose_timeout_;
   std::optional<camera::Renderer> renderer_;  ///< when something is drawn

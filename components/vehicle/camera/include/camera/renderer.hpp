@@ -39,16 +39,19 @@ class Renderer {
  public:
   static constexpr double wall_height_m = 2.8;
   static constexpr double furniture_height_m = 0.75;
+  static constexpr double person_height_m = 1.7;
 
   Renderer(const CameraParams& params, std::vector<geometry::Wall> walls);
 
   /// The picture from `view`, which must be finite. Valid until the next call. `frame` selects the
-  /// sensor noise.
-  [[nodiscard]] const Picture& render(const geometry::Pose& view, std::uint32_t frame);
+  /// sensor noise. `people`: what else stands there now, as high as a person.
+  [[nodiscard]] const Picture& render(const geometry::Pose& view, std::uint32_t frame,
+                                      const std::vector<geometry::Wall>& people = {});
 
  private:
   void draw_row(const geometry::Pose& view, int row);
-  void draw_strip(int column, const Hit& hit);
+  void draw_column(int column, const Ray& ray, const std::vector<geometry::Wall>& people);
+  void draw_strip(int column, const Hit& hit, double height_m);
   void add_noise(std::uint32_t frame);
   /// Of the middle of a column, in focal lengths to the right of the picture's middle.
   [[nodiscard]] double sideways(int column) const;
@@ -64,6 +67,7 @@ class Renderer {
   Texture ceiling_texture_;
   std::vector<std::int8_t> noise_;
   std::vector<Hit> hits_;
+  std::vector<Hit> people_hits_;
   Picture picture_;
 };
 
