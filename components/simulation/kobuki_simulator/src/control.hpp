@@ -13,8 +13,8 @@ namespace tocsin::kobuki {
 ///     get
 ///     set KEY=VALUE ...   buttons bumper cliff wheel_drop over_current digital (masks as on the
 ///                         wire), analog0 to analog3, dock_right dock_centre dock_left,
-///                         charger=none|adapter|dock, charge=0..1, slip=0..1, usb_latency_ms usb_packet_bytes
-///                         flip loss noise
+///                         charger=none|adapter|dock, charge=0..1, slip=0..1, usb_latency_ms
+///                         usb_packet_bytes flip loss noise
 ///     place X Y YAW       [m] [m] [rad]
 ///     version HW FW [old] answers to version requests from now on, "old" in 2 bytes
 ///     gains P I D         of the wheel controllers, as if the user had set them

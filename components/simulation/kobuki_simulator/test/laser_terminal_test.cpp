@@ -75,7 +75,8 @@ TEST_F(LaserTerminalTest, ItsCableIsPulledAndPutBack) {
 }
 
 TEST_F(LaserTerminalTest, RefusesWhatItCannotDo) {
-  EXPECT_EQ(sut_.obey("jump", now_), "error: laser unplug|plug|stall|free|cover|uncover|stick|loosen");
+  EXPECT_EQ(sut_.obey("jump", now_),
+            "error: laser unplug|plug|stall|free|cover|uncover|stick|loosen");
   EXPECT_THROW(LaserTerminal(params("sonar"), room_.seen(), 1, now_), ConfigError);
 }
 
