@@ -81,6 +81,15 @@ CostMap::CostMap(const OccupancyMap& map, const InflationParams& params)
   }
 }
 
+CostMap::CostMap(const CostMap& base, const std::vector<CellIndex>& obstacles,
+                 const InflationParams& params)
+    : CostMap(base) {
+  const auto disc = disc_of(grid_.resolution_m, params);
+  for (const CellIndex obstacle : obstacles) {
+    for (const DiscRow& row : disc) raise(obstacle, row);
+  }
+}
+
 void CostMap::raise(CellIndex wall, const DiscRow& disc) {
   const int row = wall.row + disc.row;
   if (row < 0 || row >= grid_.height) return;

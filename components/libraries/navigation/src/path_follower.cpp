@@ -57,10 +57,10 @@ void PathFollower::start(geometry::Path path) {
   turning_ = false;
 }
 
-geometry::Twist PathFollower::follow(const geometry::Pose& pose, Duration dt) {
+geometry::Twist PathFollower::follow(const geometry::Pose& pose, Duration dt, double most_mps) {
   assert(!path_.empty());
   advance(position(pose));
-  return limited(pursue(pose), dt);
+  return limited(pursue(pose, most_mps), dt);
 }
 
 geometry::Twist PathFollower::turn_to(const geometry::Pose& pose, double yaw_rad, Duration dt) {
@@ -102,7 +102,7 @@ geometry::Point PathFollower::point_ahead(double ahead_m) const {
   return path_.back();
 }
 
-geometry::Twist PathFollower::pursue(const geometry::Pose& pose) {
+geometry::Twist PathFollower::pursue(const geometry::Pose& pose, double most_mps) {
   const geometry::Point target = point_ahead(params_.lookahead_m);
   const double error = geometry::wrap_angle(bearing(position(pose), target) - pose.heading_rad);
   turning_ = std::abs(error) > (turning_ ? params_.turn_done_rad : params_.turn_in_place_rad);
@@ -110,7 +110,8 @@ geometry::Twist PathFollower::pursue(const geometry::Pose& pose) {
   const double target_m = std::max(distance(position(pose), target), 0.05);
   const double curvature = 2 * std::sin(error) / target_m;
   const double braking_mps = std::sqrt(2 * params_.acceleration_mps2 * remaining_m_);
-  double v = std::min(params_.speed_mps, std::max(params_.creep_mps, 0.9 * braking_mps));
+  double v =
+      std::min({params_.speed_mps, most_mps, std::max(params_.creep_mps, 0.9 * braking_mps)});
   v = std::min(v * std::cos(error), params_.turn_rate_radps / std::max(std::abs(curvature), 1e-9));
   return {v, v * curvature};
 }

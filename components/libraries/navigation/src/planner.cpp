@@ -157,6 +157,8 @@ Planner::Planner(std::shared_ptr<const CostMap> map)
     : map_(std::move(map)), search_(std::make_unique<Search>(*map_)) {}
 
 Planner::~Planner() = default;
+Planner::Planner(Planner&&) noexcept = default;
+Planner& Planner::operator=(Planner&&) noexcept = default;
 
 std::optional<geometry::Path> Planner::plan(const geometry::Point& start,
                                             const geometry::Point& goal) {

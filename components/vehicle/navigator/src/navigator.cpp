@@ -33,12 +33,12 @@ Navigator::Navigator(const Params& params, const navigation::OccupancyMap& map)
 Navigator::Navigator(const Params& params, navigation::OccupancyMap map,
                      std::shared_ptr<const navigation::CostMap> costs)
     : params_(params),
-      map_(std::move(map)),
-      planner_(std::move(costs)),
+      surroundings_(params.surroundings, params.inflation, std::move(map), std::move(costs)),
       follower_(params.follower) {}
 
 void Navigator::set_live(const Params& params) {
   params_.link_lost_after_s = params.link_lost_after_s;
+  params_.follower.speed_mps = params.follower.speed_mps;
   follower_.set_speeds(params.follower.speed_mps, params.follower.turn_rate_radps);
 }
 
@@ -53,6 +53,11 @@ void Navigator::on_pose(const geometry::Pose& pose, Time now) {
   pose_ = pose;
   pose_time_ = now;
   if (!home_) home_ = pose;
+}
+
+void Navigator::on_touch(double bearing_rad, double away_m, Time now) {
+  const geometry::Pose towards{pose_.x_m, pose_.y_m, pose_.heading_rad + bearing_rad};
+  surroundings_.on_touch(position(ahead(towards, away_m)), now);
 }
 
 Navigator::Output Navigator::update(Time now) {
@@ -88,6 +93,7 @@ Navigator::Status Navigator::status(State state, double distance_m, const char* 
 const char* Navigator::reason_to_halt(Time now) const {
   if (emergency_stop_) return "emergency_stop";
   if (!home_ || now - pose_time_ > seconds(params_.pose_timeout_s)) return "no_pose";
+  if (!surroundings_.sees(now)) return "no_scan";
   return nullptr;
 }
 
@@ -156,8 +162,8 @@ Navigator::Output Navigator::align(const Target& target, Duration dt) {
 }
 
 Navigator::Output Navigator::drive_path(const Target& target, Time now, Duration dt) {
-  if (!has_path_) {
-    auto path = planner_.plan(position(pose_), position(target.pose));
+  if (!has_path_ || surroundings_.wants_plan(now)) {
+    auto path = surroundings_.plan(position(pose_), position(target.pose), now);
     if (!path) return block(now, "no_path");
     follower_.start(std::move(*path));
     has_path_ = true;
@@ -187,8 +193,18 @@ Navigator::Output Navigator::wait_blocked(Time now, Duration dt) {
 geometry::Twist Navigator::follow_with_care(Duration dt) {
   if (would_hit()) return follower_.brake(dt);
   const bool stood = follower_.velocity().linear_mps <= 0;
-  const geometry::Twist velocity = follower_.follow(pose_, dt);
+  const geometry::Twist velocity = follower_.follow(pose_, dt, allowed_mps());
   return stood && would_hit() ? follower_.halt() : velocity;
+}
+
+/// Slower beside what the map has not: it may move, and its place is known to a cell only.
+double Navigator::allowed_mps() const {
+  constexpr double least_share = 0.3;
+  const double radius_m = params_.inflation.robot_radius_m;
+  if (params_.slow_near_m == 0) return infinity;
+  const double free_m =
+      surroundings_.obstacle_distance_m(position(pose_), radius_m + params_.slow_near_m) - radius_m;
+  return params_.follower.speed_mps * std::clamp(free_m / params_.slow_near_m, least_share, 1.0);
 }
 
 bool Navigator::would_hit() const {
@@ -197,21 +213,21 @@ bool Navigator::would_hit() const {
   if (v.linear_mps <= 0) return false;
   const double braking_m =
       v.linear_mps * v.linear_mps / (2 * params_.follower.acceleration_mps2) + bumper_gap_m;
-  const bool is_clear = map_.is_clear(pose_.x_m, pose_.y_m, radius_m + braking_m);
-  if (is_clear || map_.collides(pose_.x_m, pose_.y_m, radius_m)) return false;
+  const bool is_clear = surroundings_.is_clear(pose_.x_m, pose_.y_m, radius_m + braking_m);
+  if (is_clear || surroundings_.collides(pose_.x_m, pose_.y_m, radius_m)) return false;
   geometry::Pose pose = pose_;
   constexpr int samples = 4;
   for (int i = 0; i < samples; ++i) {
     pose = ahead(pose, braking_m / samples);
     pose.heading_rad += v.angular_rad_s / v.linear_mps * braking_m / samples;
-    if (map_.collides(pose.x_m, pose.y_m, radius_m)) return true;
+    if (surroundings_.collides(pose.x_m, pose.y_m, radius_m)) return true;
   }
   return false;
 }
 
 bool Navigator::is_free_behind() const {
   const geometry::Pose behind = ahead(pose_, -0.2);
-  return !map_.collides(behind.x_m, behind.y_m, params_.inflation.robot_radius_m);
+  return !surroundings_.collides(behind.x_m, behind.y_m, params_.inflation.robot_radius_m);
 }
 
 bool Navigator::is_stuck(Time now) {

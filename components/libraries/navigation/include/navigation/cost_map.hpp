@@ -40,6 +40,9 @@ class CostMap {
   static constexpr std::uint16_t dearest = 51 * plain;
 
   CostMap(const OccupancyMap& map, const InflationParams& params);
+  /// The costs of `base`, and of obstacles in these of its cells as if they were walls.
+  CostMap(const CostMap& base, const std::vector<CellIndex>& obstacles,
+          const InflationParams& params);
 
   [[nodiscard]] const Grid& grid() const { return grid_; }
   [[nodiscard]] std::uint16_t cost(std::size_t offset) const { return costs_[offset]; }

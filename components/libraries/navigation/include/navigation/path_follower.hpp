@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "foundation/numbers.hpp"
 #include "foundation/parameters.hpp"
 #include "foundation/time.hpp"
 #include "geometry/pose.hpp"
@@ -50,8 +51,10 @@ class PathFollower {
   /// Replaces the path; the velocity goes on from where it is. The path must not be empty.
   void start(geometry::Path path);
 
-  /// The velocity for the next instant, `dt` after the last one. Asserts that there is a path.
-  [[nodiscard]] geometry::Twist follow(const geometry::Pose& pose, Duration dt);
+  /// The velocity for the next instant, `dt` after the last one, reached within the limits at most
+  /// `most_mps`. Asserts that there is a path.
+  [[nodiscard]] geometry::Twist follow(const geometry::Pose& pose, Duration dt,
+                                       double most_mps = infinity);
   /// Turns on the spot towards the heading `yaw_rad`.
   [[nodiscard]] geometry::Twist turn_to(const geometry::Pose& pose, double yaw_rad, Duration dt);
   /// Brakes within the limits.
@@ -73,7 +76,7 @@ class PathFollower {
   /// Of the part of the path from its corner `i` to the next one.
   [[nodiscard]] double length_m(std::size_t i) const { return to_end_m_[i] - to_end_m_[i + 1]; }
   [[nodiscard]] geometry::Point point_ahead(double ahead_m) const;
-  [[nodiscard]] geometry::Twist pursue(const geometry::Pose& pose);
+  [[nodiscard]] geometry::Twist pursue(const geometry::Pose& pose, double most_mps);
   [[nodiscard]] geometry::Twist turn(double error_rad) const;
   geometry::Twist limited(const geometry::Twist& wanted, Duration dt);
 

@@ -20,6 +20,8 @@ class Planner {
  public:
   explicit Planner(std::shared_ptr<const CostMap> map);
   ~Planner();
+  Planner(Planner&&) noexcept;
+  Planner& operator=(Planner&&) noexcept;
 
   /// Empty when there is no path, or a point is outside the map or not finite.
   [[nodiscard]] std::optional<geometry::Path> plan(const geometry::Point& start,

@@ -15,8 +15,8 @@
 #include "geometry/twist.hpp"
 #include "navigation/occupancy_map.hpp"
 #include "navigation/path_follower.hpp"
-#include "navigation/planner.hpp"
 #include "navigator/goal_list.hpp"
+#include "navigator/surroundings.hpp"
 
 namespace tocsin {
 
@@ -40,6 +40,8 @@ class Navigator {
     double stuck_after_s = 4;
     double retry_after_s = 3;
     double replan_beside_m = 0.4;
+    double slow_near_m = 0.3;
+    Surroundings::Params surroundings;
     bool align_yaw = true;
     double yaw_tolerance_rad = 0.2;
     template <class Visitor>
@@ -54,6 +56,8 @@ class Navigator {
       v("stuck_after_s", stuck_after_s, {0.5, 60}, "[s] without moving: back up, plan again");
       v("retry_after_s", retry_after_s, {0.5, 60}, "[s] blocked for this long before a new try");
       v("replan_beside_m", replan_beside_m, {0.1, 5}, "[m] farther beside the path: plan again");
+      v("slow_near_m", slow_near_m, {0, 2}, "[m] slower when nearer to an obstacle; 0: never");
+      surroundings.visit(v);
       v("align_yaw", align_yaw, "whether to turn to the goal's heading after arriving");
       v("yaw_tolerance_rad", yaw_tolerance_rad, {0.02, 3}, "[rad] heading error that will do");
     }
@@ -93,6 +97,13 @@ class Navigator {
   [[nodiscard]] bool is_busy(Time now) const;
   /// Pose of the vehicle in the map frame; one that is not finite is ignored.
   void on_pose(const geometry::Pose& pose, Time now);
+  /// A turn of the laser, measured by a vehicle at `pose` in the map frame.
+  void on_scan(const laser::Scan& scan, const geometry::Pose& pose, Time now) {
+    surroundings_.on_scan(scan, pose, now);
+  }
+  /// Something is in the way, or the floor ends, at so many metres from the vehicle's middle in a
+  /// direction from ahead to the left.
+  void on_touch(double bearing_rad, double away_m, Time now);
   /// Stops the vehicle at once, until it is called with false.
   void on_emergency_stop(bool is_pressed) { emergency_stop_ = is_pressed; }
   /// The ground station was heard. Until it was heard once, the link does not count as lost.
@@ -118,6 +129,7 @@ class Navigator {
   Output drive(const Target& target, Time now, Duration dt);
   Output drive_path(const Target& target, Time now, Duration dt);
   geometry::Twist follow_with_care(Duration dt);
+  [[nodiscard]] double allowed_mps() const;
   Output align(const Target& target, Duration dt);
   Output block(Time now, const char* reason);
   Output wait_blocked(Time now, Duration dt);
@@ -128,8 +140,7 @@ class Navigator {
   [[nodiscard]] bool is_stuck(Time now);
 
   Params params_;
-  navigation::OccupancyMap map_;
-  navigation::Planner planner_;
+  Surroundings surroundings_;
   navigation::PathFollower follower_;
 
   GoalList goals_;

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "foundation/parameters.hpp"
+#include "foundation/time.hpp"
+#include "geometry/pose.hpp"
+#include "navigation/obstacle_layer.hpp"
+#include "navigation/occupancy_map.hpp"
+#include "navigation/planner.hpp"
+
+namespace tocsin {
+
+/// What of the floor a vehicle may drive on: the map, and what its laser sees besides.
+///
+/// Pure; `now` must not decrease.
+class Surroundings {
+ public:
+  struct Params {
+    bool avoid_obstacles = false;
+    navigation::ObstacleParams obstacles;
+    double scan_timeout_s = 1;
+    double replan_period_s = 1;
+    template <class Visitor>
+    void visit(Visitor& v) {
+      v("avoid_obstacles", avoid_obstacles, "whether it drives round what a laser sees on `scan`");
+      obstacles.visit(v);
+      v("scan_timeout_s", scan_timeout_s, {0.1, 10}, "[s] an older scan stops the vehicle");
+      v("replan_period_s", replan_period_s, {0.1, 60}, "[s] between plans round new obstacles");
+    }
+  };
+
+  /// `costs` of this map, by `inflation`.
+  Surroundings(const Params& params, const navigation::InflationParams& inflation,
+               navigation::OccupancyMap map, std::shared_ptr<const navigation::CostMap> costs);
+
+  /// A turn of the laser, measured by a vehicle at `pose` (frame map).
+  void on_scan(const laser::Scan& scan, const geometry::Pose& pose, Time now);
+  /// The vehicle has touched something there, or the floor ends.
+  void on_touch(const geometry::Point& at, Time now);
+  /// False where obstacles are avoided and no scan has come for `scan_timeout_s`.
+  [[nodiscard]] bool sees(Time now) const;
+
+  /// The way round all that is known. Empty: there is none.
+  [[nodiscard]] std::optional<geometry::Path> plan(const geometry::Point& from,
+                                                   const geometry::Point& to, Time now);
+  /// Whether obstacles have come or gone since the last plan, which is `replan_period_s` old.
+  [[nodiscard]] bool wants_plan(Time now) const;
+
+  /// Whether a disc there touches a wall or an obstacle.
+  [[nodiscard]] bool collides(double x_m, double y_m, double radius_m) const;
+  /// Whether no disc that lies within `reach_m` of there does. False may be wrong.
+  [[nodiscard]] bool is_clear(double x_m, double y_m, double reach_m) const;
+  /// To the nearest obstacle that is not on the map [m]; `most_m` when it is farther.
+  [[nodiscard]] double obstacle_distance_m(const geometry::Point& from, double most_m) const;
+
+ private:
+  Params params_;
+  navigation::InflationParams inflation_;
+  navigation::OccupancyMap map_;
+  std::shared_ptr<const navigation::CostMap> costs_;
+  navigation::Planner planner_;
+  navigation::ObstacleLayer obstacles_;
+  std::optional<Time> seen_;
+  std::optional<Time> planned_;
+  std::uint64_t planned_version_ = 0;
+};
+
+}  // namespace tocsin

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "navigator/surroundings.hpp"
+
+#include <utility>
+
+namespace tocsin {
+
+Surroundings::Surroundings(const Params& params, const navigation::InflationParams& inflation,
+                           navigation::OccupancyMap map,
+                           std::shared_ptr<const navigation::CostMap> costs)
+    : params_(params),
+      inflation_(inflation),
+      map_(std::move(map)),
+      costs_(std::move(costs)),
+      planner_(costs_),
+      obstacles_(map_, params.obstacles) {}
+
+void Surroundings::on_scan(const laser::Scan& scan, const geometry::Pose& pose, Time now) {
+  if (!params_.avoid_obstacles || !is_finite(pose)) return;
+  obstacles_.on_scan(scan, pose, now);
+  obstacles_.forget(now);
+  seen_ = now;
+}
+
+void Surroundings::on_touch(const geometry::Point& at, Time now) {
+  if (params_.avoid_obstacles) obstacles_.on_touch(at, now);
+}
+
+bool Surroundings::sees(Time now) const {
+  return !params_.avoid_obstacles || (seen_ && now - *seen_ <= seconds(params_.scan_timeout_s));
+}
+
+std::optional<geometry::Path> Surroundings::plan(const geometry::Point& from,
+                                                 const geometry::Point& to, Time now) {
+  planned_ = now;
+  if (obstacles_.version() != planned_version_) {
+    planned_version_ = obstacles_.version();
+    planner_ = navigation::Planner(
+        std::make_shared<const navigation::CostMap>(*costs_, obstacles_.cells(), inflation_));
+  }
+  return planner_.plan(from, to);
+}
+
+bool Surroundings::wants_plan(Time now) const {
+  return planned_ && obstacles_.version() != planned_version_ &&
+         now - *planned_ >= seconds(params_.replan_period_s);
+}
+
+bool Surroundings::collides(double x_m, double y_m, double radius_m) const {
+  return map_.collides(x_m, y_m, radius_m) || obstacles_.touches({x_m, y_m}, radius_m);
+}
+
+bool Surroundings::is_clear(double x_m, double y_m, double reach_m) const {
+  return map_.is_clear(x_m, y_m, reach_m) && !obstacles_.touches({x_m, y_m}, reach_m);
+}
+
+double Surroundings::obstacle_distance_m(const geometry::Point& from, double most_m) const {
+  return obstacles_.distance_m(from, most_m);
+}
+
+}  // namespace tocsin
