@@ -136,10 +136,10 @@ int run(const Options& options) {
                 params_of_navigator());
       add(sums, result);
       if (options.lists && result.end != DriveEnd::arrived) {
-        fmt::print("{} seed {}: {} after {:.1f} s at ({:.2f}, {:.2f}, {:.2f})\n",
+        fmt::print("{} seed {}: {} after {:.1f} s at ({:.2f}, {:.2f}, {:.2f}) {}\n",
                    files[i].filename().string(), seed,
                    result.end == DriveEnd::collided ? "collided" : "timed out", result.time_s,
-                   result.last.x_m, result.last.y_m, result.last.heading_rad);
+                   result.last.x_m, result.last.y_m, result.last.heading_rad, result.reason);
         std::fflush(stdout);
       }
     }

@@ -59,7 +59,7 @@ class Drive {
     goal.pose = {task_.goal.x_m, task_.goal.y_m, 0};
     goal.tolerance_m = tolerance_m;
     goal.expires = start_time + seconds(2 * task_.most_s);
-    (void)navigator_.on_goal(std::move(goal), start_time);
+    (void)navigator_.on_local_goal(std::move(goal), start_time);
   }
 
   DriveResult run() {
@@ -111,6 +111,7 @@ class Drive {
     Navigator::Output output;
     updates_us_.push_back(microseconds_of([&] { output = navigator_.update(now_); }));
     result_.plan_us = std::max(result_.plan_us, updates_us_.back());
+    if (*output.status.reason != 0) result_.reason = output.status.reason;
     base_.receive(kobuki::encode_command(kobuki::encode_velocity(output.velocity)).bytes(), now_);
   }
 

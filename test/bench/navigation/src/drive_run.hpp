@@ -30,6 +30,7 @@ struct DriveResult {
   double update_us = 0;  ///< median
   double plan_us = 0;    ///< of the longest update, which plans
   geometry::Pose last;
+  const char* reason = "";  ///< of the navigator's last standing
 };
 
 /// Poses are the true ones; commands reach the wheels after the base's dead time.
