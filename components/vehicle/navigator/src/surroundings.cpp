@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "navigator/surroundings.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace tocsin {
+namespace {
+
+constexpr double tight_margin_m = 0.02;
+
+}  // namespace
 
 Surroundings::Surroundings(const Params& params, const navigation::InflationParams& inflation,
                            navigation::OccupancyMap map,
@@ -33,12 +39,22 @@ bool Surroundings::sees(Time now) const {
 std::optional<geometry::Path> Surroundings::plan(const geometry::Point& from,
                                                  const geometry::Point& to, Time now) {
   planned_ = now;
+  const auto cells = obstacles_.cells();
   if (obstacles_.version() != planned_version_) {
     planned_version_ = obstacles_.version();
-    planner_ = navigation::Planner(
-        std::make_shared<const navigation::CostMap>(*costs_, obstacles_.cells(), inflation_));
+    planner_ = planner_round(cells, inflation_);
   }
-  return planner_.plan(from, to);
+  auto path = planner_.plan(from, to);
+  if (path || cells.empty()) return path;
+  // Obstacles are seen to a cell: a gap that is wide enough may look closed.
+  navigation::InflationParams tight = inflation_;
+  tight.margin_m = std::min(tight.margin_m, tight_margin_m);
+  return planner_round(cells, tight).plan(from, to);
+}
+
+navigation::Planner Surroundings::planner_round(const std::vector<navigation::CellIndex>& cells,
+                                                const navigation::InflationParams& by) const {
+  return navigation::Planner(std::make_shared<const navigation::CostMap>(*costs_, cells, by));
 }
 
 bool Surroundings::wants_plan(Time now) const {

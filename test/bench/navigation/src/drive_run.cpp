@@ -118,7 +118,8 @@ class Drive {
   bool is_over() {
     const geometry::Pose& pose = base_.pose();
     if (!task_.scene.touched(pose.x_m, pose.y_m, body_m).empty()) {
-      result_.end = DriveEnd::collided;
+      const bool stands = std::abs(base_.velocity().linear_mps) < 0.02;
+      result_.end = stands ? DriveEnd::struck : DriveEnd::collided;
       return true;
     }
     if (distance(position(pose), task_.goal) > tolerance_m) return false;

@@ -20,7 +20,12 @@ struct DriveTask {
   std::uint64_t seed = 1;
 };
 
-enum class DriveEnd { arrived, collided, timed_out };
+enum class DriveEnd {
+  arrived,
+  collided,
+  struck,  ///< somebody walked into it while it stood
+  timed_out
+};
 
 struct DriveResult {
   DriveEnd end = DriveEnd::timed_out;

@@ -39,9 +39,10 @@ class Builder {
     if (kind == WorldKind::corridor) along_corridor(hull);
     const double share = kind == WorldKind::clutter ? 0.5 : 0.2;
     clutter(hull, static_cast<int>(share * hull.width() * hull.height()));
-    navigation::OccupancyMap truth = rasterised(hull);
+    navigation::OccupancyMap empty = rasterised(hull, {});
+    navigation::OccupancyMap truth = rasterised(hull, obstacles_);
     const Point start = free_place(hull, truth);
-    return {std::move(walls_), std::move(obstacles_), std::move(truth), start};
+    return {std::move(walls_), std::move(obstacles_), std::move(truth), std::move(empty), start};
   }
 
  private:
@@ -104,7 +105,7 @@ class Builder {
     }
   }
 
-  navigation::OccupancyMap rasterised(const Room& hull) const {
+  navigation::OccupancyMap rasterised(const Room& hull, const laser::Obstacles& obstacles) const {
     const auto cells_of = [](double m) {
       return static_cast<int>(std::ceil((m + 2 * rim_m) / cell_m));
     };
@@ -113,10 +114,10 @@ class Builder {
     const auto mark = [&](const Point& p) {
       if (const auto cell = grid.cell_of(p)) cells[grid.offset(*cell)] = Cell::occupied;
     };
-    auto lines = laser::sides_of(obstacles_.boxes);
+    auto lines = laser::sides_of(obstacles.boxes);
     lines.insert(lines.end(), walls_.begin(), walls_.end());
     for (const Wall& line : lines) mark_line(line, mark);
-    for (const laser::Disc& disc : obstacles_.discs) mark_disc(disc, mark);
+    for (const laser::Disc& disc : obstacles.discs) mark_disc(disc, mark);
     return {grid, std::move(cells)};
   }
 

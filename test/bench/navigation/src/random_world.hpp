@@ -17,7 +17,8 @@ enum class WorldKind { rooms, corridor, clutter };
 struct World {
   std::vector<geometry::Wall> walls;
   laser::Obstacles obstacles;
-  navigation::OccupancyMap truth;  ///< cells of 0.05 m
+  navigation::OccupancyMap truth;       ///< cells of 0.05 m
+  navigation::OccupancyMap walls_only;  ///< what a map of the empty building would show
   geometry::Point start;
 };
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "foundation/parameters.hpp"
 #include "foundation/time.hpp"
@@ -44,7 +45,8 @@ class Surroundings {
   /// False where obstacles are avoided and no scan has come for `scan_timeout_s`.
   [[nodiscard]] bool sees(Time now) const;
 
-  /// The way round all that is known. Empty: there is none.
+  /// The way round all that is known, where there is none with the margin, closer to obstacles.
+  /// Empty: there is none.
   [[nodiscard]] std::optional<geometry::Path> plan(const geometry::Point& from,
                                                    const geometry::Point& to, Time now);
   /// Whether obstacles have come or gone since the last plan, which is `replan_period_s` old.
@@ -58,6 +60,8 @@ class Surroundings {
   [[nodiscard]] double obstacle_distance_m(const geometry::Point& from, double most_m) const;
 
  private:
+  [[nodiscard]] navigation::Planner planner_round(const std::vector<navigation::CellIndex>& cells,
+                                                  const navigation::InflationParams& by) const;
   Params params_;
   navigation::InflationParams inflation_;
   navigation::OccupancyMap map_;
