@@ -117,7 +117,7 @@ TEST(Summary, WhatWasFilledInIsNotLostAndShownApart) {
     EXPECT_NEAR(sut.bytes_per_s, 30, 1e-9);
   }
   EXPECT_THAT(to_text(summary),
-              HasSubstr("uxv camera/image                        3      2      0    0.0"));
+              HasSubstr("uxv camera/image                        3           2      0    0.0"));
 }
 
 TEST(Summary, WhatWasFilledInIsOfTheIntervalInWhichItWasSent) {
@@ -140,7 +140,7 @@ TEST(Print, TellsTheMainFacts) {
   EXPECT_THAT(sut, HasSubstr("mission_a: done, 9 of 9 waypoints in 99.5 s, 12 goals sent"));
   EXPECT_THAT(sut, HasSubstr("tocp_dsp: 2 pauses, 50.0 s of 100.0 s paused, the longest 40.0 s"));
   EXPECT_THAT(sut,
-              HasSubstr("uxv low                                 3      0      2   40.0    500"));
+              HasSubstr("uxv low                                 3           0      2   40.0    500"));
 }
 
 TEST(Print, SaysWhenNoMissionWasRecorded) {
