@@ -34,7 +34,9 @@ NavigatorComponent::NavigatorComponent(Context& context, const Params& params)
       action_(*this, params.pose_goal_timeout_s, params.navigator.follower.speed_mps),
       file_(context.state_path(".pose")),
       localiser_(
-          make_localiser(file_, {params.start_x_m, params.start_y_m, params.start_yaw_rad})) {}
+          make_localiser(file_, {params.start_x_m, params.start_y_m, params.start_yaw_rad})) {
+  if (params.navigator.surroundings.avoid_obstacles) obstacles_.emplace(*this);
+}
 
 void NavigatorComponent::set_parameters(const Params& params) {
   params_ = params;
@@ -44,6 +46,7 @@ void NavigatorComponent::set_parameters(const Params& params) {
 
 void NavigatorComponent::tick(Time now) {
   take_odometry(now);
+  if (obstacles_) obstacles_->take(navigator_, now);
   const bool is_ordered = take_orders(now);
   report_location(now);
   if (is_turn(now) || is_ordered) {
@@ -68,7 +71,12 @@ void NavigatorComponent::take_odometry(Time now) {
   const auto odom = odom_.take_latest();
   if (!odom) return;
   pose_ = localiser_.update(geometry::pose_in(odom->pose().pose()), now);
-  if (pose_) navigator_.on_pose(*pose_, now);
+  if (!pose_) return;
+  navigator_.on_pose(*pose_, now);
+  if (!obstacles_) return;
+  const auto& twist = odom->twist().twist();
+  obstacles_->on_pose(stamp_ns_of(odom->header()), *pose_,
+                      {twist.linear().x(), twist.angular().z()});
 }
 
 /// True when there was one to answer at once.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "emergency_stop_input/emergency_stop_input.hpp"
@@ -9,6 +10,7 @@
 #include "navigator/localiser_file.hpp"
 #include "navigator/navigate_action.hpp"
 #include "navigator/navigator.hpp"
+#include "navigator/obstacle_inputs.hpp"
 #include "runtime/component.hpp"
 #include "runtime/port.hpp"
 #include "tocsin_idl/topics.hpp"
@@ -66,6 +68,8 @@ class NavigatorComponent final : public Component {
   Output<topic::CmdVelNavigation> cmd_vel_{*this};
   Output<topic::Location> location_{*this};
   Output<topic::NavigationStatus> status_{*this};
+
+  std::optional<ObstacleInputs> obstacles_;  ///< where they are avoided
 
   Params params_;
   Navigator navigator_;
