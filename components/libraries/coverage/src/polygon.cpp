@@ -41,6 +41,22 @@ bool folds_back(const Point& a, const Point& b, const Point& c) {
   return turn(a, b, c) == 0 && along >= 0;
 }
 
+/// That the side from corner `i` meets the others at its ends only.
+void require_side(const std::vector<Point>& corners, std::size_t i, const char* what) {
+  const std::size_t count = corners.size();
+  const Point& a = corners[i];
+  const Point& b = corners[(i + 1) % count];
+  if (folds_back(a, b, corners[(i + 2) % count])) {
+    throw ConfigError(fmt::format("{}: folds back at corner {}", what, (i + 1) % count + 1));
+  }
+  for (std::size_t k = i + 2; k < count; ++k) {
+    const bool are_neighbours = i == 0 && k == count - 1;
+    if (are_neighbours || !meet(a, b, corners[k], corners[(k + 1) % count])) continue;
+    throw ConfigError(
+        fmt::format("{}: its sides from corner {} and from corner {} cross", what, i + 1, k + 1));
+  }
+}
+
 }  // namespace
 
 void require_polygon(const std::vector<Point>& corners, const char* what) {
@@ -54,19 +70,7 @@ void require_polygon(const std::vector<Point>& corners, const char* what) {
     throw ConfigError(fmt::format("{}: corner {} is ({}, {}), which is not finite", what, i + 1,
                                   corners[i].x_m, corners[i].y_m));
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    const Point& a = corners[i];
-    const Point& b = corners[(i + 1) % count];
-    if (folds_back(a, b, corners[(i + 2) % count])) {
-      throw ConfigError(fmt::format("{}: folds back at corner {}", what, (i + 1) % count + 1));
-    }
-    for (std::size_t k = i + 2; k < count; ++k) {
-      if (i == 0 && k == count - 1) continue;
-      if (!meet(a, b, corners[k], corners[(k + 1) % count])) continue;
-      throw ConfigError(
-          fmt::format("{}: its sides from corner {} and from corner {} cross", what, i + 1, k + 1));
-    }
-  }
+  for (std::size_t i = 0; i < count; ++i) require_side(corners, i, what);
 }
 
 bool is_inside(const std::vector<Point>& corners, const Point& p) {

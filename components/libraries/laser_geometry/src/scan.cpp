@@ -34,6 +34,12 @@ Pose moved(const geometry::Twist& velocity, double dt_s) {
   return {way_m * std::cos(turn_rad / 2), way_m * std::sin(turn_rad / 2), turn_rad};
 }
 
+bool is_used(double range_m, const ScanParams& params) {
+  if (!(range_m >= params.min_range_m)) return false;
+  if (range_m < params.max_range_m) return range_m <= params.used_range_m;
+  return params.cleared_m > 0;
+}
+
 }  // namespace
 
 Scan make_scan(const std::vector<double>& ranges_m, const Beams& beams, const ScanParams& params) {
@@ -42,10 +48,8 @@ Scan make_scan(const std::vector<double>& ranges_m, const Beams& beams, const Sc
   const bool moves = beams.interval_s != 0 && !is_standing(beams.velocity);
   for (std::size_t i = 0; i < ranges_m.size(); ++i) {
     const double range_m = ranges_m[i];
-    if (!(range_m >= params.min_range_m)) continue;
+    if (!is_used(range_m, params)) continue;
     const bool is_hit = range_m < params.max_range_m;
-    if (is_hit && range_m > params.used_range_m) continue;
-    if (!is_hit && params.cleared_m <= 0) continue;
     const double length_m = is_hit ? range_m : params.cleared_m;
     const auto beam = static_cast<double>(i);
     const Pose laser =

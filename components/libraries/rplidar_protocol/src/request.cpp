@@ -28,6 +28,24 @@ Bytes with_payload(Command command, const Bytes& payload) {
 
 std::size_t payload_size(Command command) { return command == Command::express_scan ? 5 : 2; }
 
+/// Of what may be a request; 1 when its second byte is none of the list.
+std::size_t size_at_front(const Bytes& bytes) {
+  const auto command = static_cast<Command>(bytes[1]);
+  if (std::find(commands.begin(), commands.end(), command) == commands.end()) return 1;
+  return (bytes[1] & has_payload) != 0 ? 4 + payload_size(command) : 2;
+}
+
+/// Empty for one byte, and when the checksum of a payload is wrong.
+std::optional<Request> request_in(const Bytes& bytes) {
+  if (bytes.size() < 2) return std::nullopt;
+  Request request{static_cast<Command>(bytes[1]), 0};
+  if (bytes.size() == 2) return request;
+  const Bytes payload(bytes.begin() + 3, bytes.end() - 1);
+  if (bytes != with_payload(request.command, payload)) return std::nullopt;
+  request.motor_duty = static_cast<std::uint16_t>(payload[0] | payload[1] << 8);
+  return request;
+}
+
 }  // namespace
 
 Bytes request(Command command) {
@@ -44,23 +62,11 @@ std::optional<Request> RequestReader::next() {
   while (true) {
     buffer_.erase(buffer_.begin(), std::find(buffer_.begin(), buffer_.end(), start));
     if (buffer_.size() < 2) return std::nullopt;
-    const auto command = static_cast<Command>(buffer_[1]);
-    const bool is_known = std::find(commands.begin(), commands.end(), command) != commands.end();
-    const bool has_more = (buffer_[1] & has_payload) != 0;
-    const std::size_t size = !is_known ? 1 : has_more ? 4 + payload_size(command) : 2;
-    if (buffer_.size() < size) return std::nullopt;
-    const Bytes bytes(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(size));
-    Request found{command, 0};
-    if (is_known && has_more) {
-      const Bytes payload(bytes.begin() + 3, bytes.end() - 1);
-      if (bytes != with_payload(command, payload)) {
-        buffer_.erase(buffer_.begin());
-        continue;
-      }
-      found.motor_duty = static_cast<std::uint16_t>(payload[0] | payload[1] << 8);
-    }
-    buffer_.erase(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(size));
-    if (is_known) return found;
+    const auto size = static_cast<std::ptrdiff_t>(size_at_front(buffer_));
+    if (static_cast<std::ptrdiff_t>(buffer_.size()) < size) return std::nullopt;
+    const auto found = request_in({buffer_.begin(), buffer_.begin() + size});
+    buffer_.erase(buffer_.begin(), buffer_.begin() + (found ? size : 1));
+    if (found) return found;
   }
 }
 

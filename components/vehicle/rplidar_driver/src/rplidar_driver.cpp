@@ -57,30 +57,35 @@ void RplidarDriver::on_port_lost() {
 std::vector<Bytes> RplidarDriver::farewell() { return {request(Command::stop), motor_request(0)}; }
 
 void RplidarDriver::run(Time now, const ByteSink& sink) {
-  const bool is_due = now >= deadline_;
+  const bool awaits_answer = phase_ == Phase::info || phase_ == Phase::health;
+  if (awaits_answer && has_answered_) return go_on(now, sink);
+  if (now < deadline_) return;
   switch (phase_) {
     case Phase::closed:
       return;
     case Phase::boot:
-      if (!is_due) return;
       sink(request(Command::stop));
       return enter(Phase::quiet, now + quiet_time);
     case Phase::quiet:
-      if (!is_due) return;
       decoder_.clear();
       sink(request(Command::get_info));
       return enter(Phase::info, now + answer_time);
     case Phase::info:
-      if (!has_answered_) return is_due ? fail(LaserState::silent, now, sink) : void();
-      sink(request(Command::get_health));
-      return enter(Phase::health, now + answer_time);
     case Phase::health:
-      if (!has_answered_) return is_due ? fail(LaserState::silent, now, sink) : void();
-      if (health_->status == Health::Status::error) return fail(LaserState::unhealthy, now, sink);
-      return begin_scan(now, sink);
+      return fail(LaserState::silent, now, sink);
     case Phase::scan:
-      if (is_due) fail(has_answered_ ? LaserState::stalled : LaserState::silent, now, sink);
+      return fail(has_answered_ ? LaserState::stalled : LaserState::silent, now, sink);
   }
+}
+
+/// After an answer.
+void RplidarDriver::go_on(Time now, const ByteSink& sink) {
+  if (phase_ == Phase::info) {
+    sink(request(Command::get_health));
+    return enter(Phase::health, now + answer_time);
+  }
+  if (health_->status == Health::Status::error) return fail(LaserState::unhealthy, now, sink);
+  begin_scan(now, sink);
 }
 
 void RplidarDriver::begin_scan(Time now, const ByteSink& sink) {

@@ -7,10 +7,26 @@
 
 namespace tocsin {
 
-void VelocitySmootherComponent::tick(Time now) {
-  while (const auto wanted = wanted_.take()) {
+VelocitySmootherComponent::VelocitySmootherComponent(Context& context, const Params& params)
+    : Component(context), smoother_(params.limits) {
+  if (params.checked) {
+    checked_.emplace(*this);
+  } else {
+    selected_.emplace(*this);
+  }
+}
+
+template <class Topic>
+void VelocitySmootherComponent::take_from(std::optional<Input<Topic>>& input, Time now) {
+  if (!input) return;
+  while (const auto wanted = input->take()) {
     smoother_.on_command({wanted->linear().x(), wanted->angular().z()}, now);
   }
+}
+
+void VelocitySmootherComponent::tick(Time now) {
+  take_from(selected_, now);
+  take_from(checked_, now);
   if (const auto velocity = smoother_.update(now)) {
     topic::CmdVelSmoothed::Message message;
     message.linear().x(velocity->linear_mps);

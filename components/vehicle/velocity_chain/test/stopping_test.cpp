@@ -39,6 +39,8 @@ TEST(Stopping, WhenAPartDies) {
     double within_m;
   } const deaths[] = {{"source", &Alive::source, 0.85, 0.3},
                       {"mux", &Alive::mux, 0.85, 0.3},
+                      {"collision brake", &Alive::brake, 0.85, 0.3},
+                      {"laser", &Alive::laser, 1.3, 0.5},
                       {"smoother", &Alive::smoother, 1.1, 0.46},
                       {"safety controller", &Alive::safety, 1.1, 0.46},
                       {"their process, by the timeout of the base", &Alive::driver, 0.95, 0.36}};
@@ -46,6 +48,7 @@ TEST(Stopping, WhenAPartDies) {
     ModelParams base;
     if (part == &Alive::driver) base.command_timeout_s = 0.5;
     VelocityChain sut(open_floor(), {}, base);
+    sut.add_brake();
     bool& alive = sut.alive.*part;
     const Stop stop = stop_after(sut, what, [&] { alive = false; });
     EXPECT_LT(stop.time_s, within_s) << what;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <optional>
 
+#include "collision_brake/collision_brake.hpp"
+#include "foundation/numbers.hpp"
 #include "geometry/twist.hpp"
 #include "kobuki_model/base_model.hpp"
 #include "safety_controller/safety_controller.hpp"
@@ -24,6 +27,8 @@ class VelocityChain {
   struct Alive {
     bool source = true;
     bool mux = true;
+    bool brake = true;
+    bool laser = true;
     bool smoother = true;
     bool safety = true;
     bool driver = true;
@@ -36,6 +41,7 @@ class VelocityChain {
   /// Runs for a step; `source` gives its velocity every 50 ms.
   void step(const std::function<geometry::Twist()>& source) {
     now += step_time;
+    look();
     if (alive.source && now >= next_source_) {
       next_source_ = now + std::chrono::milliseconds(50);
       if (alive.mux) select(mux_.on_command("navigation", source(), now));
@@ -46,6 +52,7 @@ class VelocityChain {
     drive();
     model.step(now, [&](Time, ByteView frame) { read(frame); });
   }
+  void add_brake() { brake_.emplace(CollisionBrake::Params{}); }
   void press_emergency_stop(bool pressed) {
     mux_.on_emergency_stop(pressed);
     safety_.on_emergency_stop(pressed);
@@ -61,7 +68,22 @@ class VelocityChain {
 
  private:
   void select(const std::optional<geometry::Twist>& velocity) {
-    if (velocity && alive.smoother) smoother_.on_command(*velocity, now);
+    if (!velocity || !alive.brake || !alive.smoother) return;
+    const auto checked = brake_ ? brake_->check(*velocity, now).velocity : *velocity;
+    smoother_.on_command(checked, now);
+  }
+  /// Walls 2.9 m away, wherever it drives.
+  void look() {
+    if (!brake_) return;
+    brake_->on_pose(model.pose(), model.velocity(), now);
+    if (!alive.laser || now < next_look_) return;
+    next_look_ = now + std::chrono::milliseconds(100);
+    laser::Scan scan;
+    for (int i = 0; i < 360; ++i) {
+      const double range_m = 2.9 + 1e-6 * (++looks_ % 7);
+      scan.hits.push_back({range_m * std::cos(i * degree), range_m * std::sin(i * degree)});
+    }
+    brake_->on_scan(scan, model.pose(), now);
   }
   void smooth(const std::optional<geometry::Twist>& velocity) {
     if (velocity && alive.safety) command(safety_.on_wanted(*velocity, now));
@@ -93,6 +115,9 @@ class VelocityChain {
   }
   VelocityMux mux_{{{"teleop", 30, 0.5}, {"navigation", 10, 0.5}}};
   VelocitySmoother smoother_{smoother_params()};
+  std::optional<CollisionBrake> brake_;
+  Time next_look_ = Time::min();
+  int looks_ = 0;
   SafetyController safety_;
   geometry::Twist wanted_;
   Time wanted_at_ = Time::min();

@@ -56,6 +56,24 @@ TEST_F(VelocitySmootherComponentTest, BrakesToZeroAndSleepsWhenTheMuxDies) {
   EXPECT_TRUE(coast(10).empty());
 }
 
+TEST(CheckedVelocitySmoother, ListensToTheBrakeOnly) {
+  SimBus bus;
+  Context context{bus, "velocity_smoother", Role::uxv};
+  VelocitySmootherComponent::Params params;
+  params.checked = true;
+  VelocitySmootherComponent sut{context, params};
+  bus.add(sut);
+  SimReader<topic::CmdVelSmoothed> commands{bus};
+  geometry_msgs::msg::Twist message;
+  message.linear().x(0.3);
+  bus.publish<topic::CmdVelSelected>(message);
+  bus.run_for(seconds(0.2));
+  EXPECT_TRUE(commands.take().empty());
+  bus.publish<topic::CmdVelChecked>(message);
+  bus.run_for(seconds(0.2));
+  EXPECT_FALSE(commands.take().empty());
+}
+
 TEST_F(VelocitySmootherComponentTest, StandsAndSleepsBeforeTheFirstCommand) {
   EXPECT_TRUE(coast(10).empty());
   EXPECT_EQ(sut_.schedule().due(), never);

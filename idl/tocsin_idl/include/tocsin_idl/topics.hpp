@@ -102,6 +102,11 @@ struct MuxSetInputs {
   using Message = std_msgs::msg::String;
   static constexpr TopicInfo info{"velocity_mux/set_inputs", "command", Scope::host};
 };
+/// True switches the collision brake off for its `bypass_s`, false on again.
+struct CollisionBrakeBypass {
+  using Message = std_msgs::msg::Bool;
+  static constexpr TopicInfo info{"collision_brake/bypass", "command", Scope::host};
+};
 /// False switches the reactions to bumper, cliff and wheel drop off.
 struct SafetyEnable {
   using Message = std_msgs::msg::Bool;
@@ -316,9 +321,9 @@ using AllLinkTopics = List<Location, InitialPose, NetworkQuality, NavigationStat
 using AllHostTopics =
     List<CmdVel, Odom, JointStates, Imu, Tf, TfStatic, Scan, Diagnostics, CmdVelNavigation,
          CmdVelDocking, CmdVelTeleop, CmdVelSelected, CmdVelChecked, CmdVelSmoothed, MuxActive,
-         MuxInputs, MuxSetInputs, SafetyEnable, EmergencyStop, LinkStop, EmergencyStopRequest,
-         EmergencyStopState, MissionPath, MissionCommand, Map, MapUpdates, ExploreStatus, AmclPose,
-         ParticleCloud, Plan, LocalCostmap, CollisionMonitorState, LinkBudget, LogRequest,
-         ContainerState>;
+         MuxInputs, MuxSetInputs, CollisionBrakeBypass, SafetyEnable, EmergencyStop, LinkStop,
+         EmergencyStopRequest, EmergencyStopState, MissionPath, MissionCommand, Map, MapUpdates,
+         ExploreStatus, AmclPose, ParticleCloud, Plan, LocalCostmap, CollisionMonitorState,
+         LinkBudget, LogRequest, ContainerState>;
 
 }  // namespace tocsin::topic

@@ -18,6 +18,7 @@ inline constexpr std::array chain_topics{
     "cmd_vel/checked",
     "cmd_vel/smoothed",
     "velocity_mux/set_inputs",
+    "collision_brake/bypass",
     "safety_controller/enable",
     "commands/motor_power",
     "commands/reset_odometry",

@@ -73,6 +73,7 @@ class RplidarDriver {
   void take(const Answer& answer, Time now, std::vector<Reading>& readings);
   void take_readings(const std::vector<Reading>& readings, Time now, const TurnSink& sink);
   void on_turn(const Turn& turn, Time now, const TurnSink& sink);
+  void go_on(Time now, const ByteSink& sink);
   void fail(LaserState why, Time now, const ByteSink& sink);
   void begin_scan(Time now, const ByteSink& sink);
   void enter(Phase phase, Time deadline);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
 #include "runtime/component.hpp"
 #include "runtime/port.hpp"
 #include "tocsin_idl/topics.hpp"
@@ -12,14 +14,25 @@ namespace tocsin {
 /// velocity changes or is repeated; at rest it sleeps.
 class VelocitySmootherComponent final : public Component {
  public:
-  using Params = VelocitySmoother::Params;
-  VelocitySmootherComponent(Context& context, const Params& params)
-      : Component(context), smoother_(params) {}
-  void set_parameters(const Params& params) { smoother_.set_limits(params); }
+  struct Params {
+    bool checked = false;
+    VelocitySmoother::Params limits;
+    template <class Visitor>
+    void visit(Visitor& v) {
+      v("checked", checked,
+        "takes what a collision_brake has checked, not what the mux has selected");
+      limits.visit(v);
+    }
+  };
+  VelocitySmootherComponent(Context& context, const Params& params);
+  void set_parameters(const Params& params) { smoother_.set_limits(params.limits); }
   void tick(Time now) override;
 
  private:
-  Input<topic::CmdVelSelected> wanted_{*this};
+  template <class Topic>
+  void take_from(std::optional<Input<Topic>>& input, Time now);
+  std::optional<Input<topic::CmdVelSelected>> selected_;
+  std::optional<Input<topic::CmdVelChecked>> checked_;
   Output<topic::CmdVelSmoothed> smoothed_{*this};
   VelocitySmoother smoother_;
 };
