@@ -80,10 +80,10 @@ void CollisionBrake::on_scan(const laser::Scan& scan, const geometry::Pose& pose
   points_ = laser::transformed(points_, pose);
   scan_pose_ = pose;
   scan_time_ = now;
-  look_for_blind_sectors(scan);
+  look_for_sectors(scan);
 }
 
-void CollisionBrake::look_for_blind_sectors(const laser::Scan& scan) {
+void CollisionBrake::look_for_sectors(const laser::Scan& scan) {
   Sectors has_beam{};
   Sectors has_return{};
   const auto note = [](Sectors& in, const Point& p) {
@@ -96,13 +96,23 @@ void CollisionBrake::look_for_blind_sectors(const laser::Scan& scan) {
   }
   for (const Point& end : scan.misses) note(has_beam, end);
   is_seen_ = has_beam;
-  const double most = params_.blind_sector_deg * sectors / 360;
-  std::size_t without = 0;  // in a row up to here, twice round so that the seam does not matter
+  find_covered(has_return);
+  had_return_ = has_return;
+  for (std::size_t i = 0; i < sectors; ++i) is_seen_[i] = is_seen_[i] && !is_covered_[i];
+}
+
+/// Open floor loses its returns one after the other; what is hung over the laser takes them at
+/// once. A sector that has a return again is not covered.
+void CollisionBrake::find_covered(const Sectors& has_return) {
+  const double least = params_.covered_sector_deg * sectors / 360;
+  for (std::size_t i = 0; i < sectors; ++i) is_covered_[i] = is_covered_[i] && !has_return[i];
+  std::size_t lost = 0;  // in a row up to here, twice round so that the seam does not matter
   for (std::size_t i = 0; i < 2 * sectors; ++i) {
-    without = has_return[i % sectors] ? 0 : without + 1;
-    if (static_cast<double>(without) <= most) continue;
-    for (std::size_t k = 0; k < std::min(without, sectors); ++k) {
-      is_seen_[(i + sectors - k) % sectors] = false;
+    const std::size_t at = i % sectors;
+    lost = had_return_[at] && !has_return[at] ? lost + 1 : 0;
+    if (static_cast<double>(lost) < least) continue;
+    for (std::size_t k = 0; k < std::min(lost, sectors); ++k) {
+      is_covered_[(i + sectors - k) % sectors] = true;
     }
   }
 }

@@ -199,10 +199,17 @@ TEST_F(CollisionBrakeTest, DoesNotDriveToWhereNothingIsSeen) {
   EXPECT_STREQ(sut_.check({-0.1, 0}, now_).reason, "blind");
   sut_.on_pose({0, 0, 1}, {}, now_);
   EXPECT_STREQ(sut_.check({0.3, 0}, now_).reason, "blind") << "turned away from what was seen";
-  look_within(120, true);
-  EXPECT_STREQ(sut_.check({-0.1, 0}, now_).reason, "blind") << "120 degrees without a return";
   look_within(140, true);
-  EXPECT_EQ(allowed(-0.1), -0.1) << "80 degrees";
+  EXPECT_EQ(allowed(-0.1), -0.1) << "open floor behind";
+  look_within(180, true);
+  look_within(140, true);
+  EXPECT_STREQ(sut_.check({-0.1, 0}, now_).reason, "blind") << "80 degrees were lost at once";
+  look_within(140, true);
+  EXPECT_STREQ(sut_.check({-0.1, 0}, now_).reason, "blind") << "and are still";
+  look_within(180, true);
+  EXPECT_EQ(allowed(-0.1), -0.1);
+  for (const double half_deg : {170, 160, 150, 140}) look_within(half_deg, true);
+  EXPECT_EQ(allowed(-0.1), -0.1) << "open floor, piece by piece";
 }
 
 TEST_F(CollisionBrakeTest, IsOffForItsTimeWhenAPersonAsks) {

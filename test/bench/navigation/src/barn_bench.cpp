@@ -42,6 +42,7 @@ struct Sums {
   std::vector<double> scans_us;
   std::vector<double> updates_us;
   std::vector<double> plans_us;
+  std::vector<double> brakes_us;
 };
 
 std::vector<std::filesystem::path> worlds_in(const std::string& folder) {
@@ -90,6 +91,7 @@ void add(Sums& sums, const DriveResult& result) {
   sums.scans_us.push_back(result.scan_us);
   sums.updates_us.push_back(result.update_us);
   sums.plans_us.push_back(result.plan_us);
+  sums.brakes_us.push_back(result.brake_us);
   if (result.end != DriveEnd::arrived) return;
   sums.times_s.push_back(result.time_s);
   sums.ways_m.push_back(result.way_m);
@@ -107,12 +109,14 @@ void print(const Sums& sums) {
       "| planner | drives | success | collisions | timeouts | time, s | way, m |\n"
       "| --- | --- | --- | --- | --- | --- | --- |\n"
       "| DWA of the challenge, 50 worlds x 10, Jackal | 500 | 0.880 | 0.048 | 0.072 | 33.5 | |\n"
-      "| navigator, Kobuki at 0.5 m/s | {} | {:.3f} | {:.3f} | {:.3f} | {:.1f} | {:.1f} |\n\n"
-      "Computing, medians over drives: a scan {:.0f} us, an update {:.0f} us, the longest update "
-      "(with a plan) {:.0f} us.\n",
+      "| navigator and brake, Kobuki at 0.5 m/s | {} | {:.3f} | {:.3f} | {:.3f} | {:.1f} | {:.1f} "
+      "|\n\n"
+      "Computing, means of the drives' medians: a scan {:.0f} us, an update {:.0f} us, the longest "
+      "update "
+      "(with a plan) {:.0f} us; the brake {:.0f} us a scan.\n",
       sums.runs, share(sums.arrived), share(sums.collided), share(sums.timed_out),
       mean(sums.times_s), mean(sums.ways_m), mean(sums.scans_us), mean(sums.updates_us),
-      mean(sums.plans_us));
+      mean(sums.plans_us), mean(sums.brakes_us));
 }
 
 Navigator::Params params_of_navigator() {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "collision_brake/collision_brake.hpp"
 #include "foundation/numbers.hpp"
 #include "kobuki_model/base_model.hpp"
 #include "kobuki_protocol/velocity.hpp"
@@ -68,6 +69,7 @@ class Drive {
     result_.time_s = to_seconds(now_ - start_time);
     result_.scan_us = median(scans_us_);
     result_.update_us = median(updates_us_);
+    result_.brake_us = median(brakes_us_) + median(checks_us_);
     result_.last = base_.pose();
     return result_;
   }
@@ -82,6 +84,7 @@ class Drive {
     result_.way_m += distance(before, position(base_.pose()));
     poses_.push_back(base_.pose());
     navigator_.on_pose(base_.pose(), now_);
+    brake_.on_pose(base_.pose(), base_.velocity(), now_);
     if (now_ >= next_scan_) scan();
     if (now_ >= next_turn_) command();
   }
@@ -103,6 +106,8 @@ class Drive {
     params.max_range_m = laser_.profile().max_range_m;
     const laser::Scan scan = laser::make_scan(ranges_m, lie, params);
     scans_us_.push_back(microseconds_of([&] { navigator_.on_scan(scan, pose_at(0), now_); }));
+    brakes_us_.push_back(microseconds_of([&] { brake_.on_scan(scan, pose_at(0), now_); }));
+    obey();
     while (poses_.size() > 50) poses_.pop_front();
   }
 
@@ -112,7 +117,14 @@ class Drive {
     updates_us_.push_back(microseconds_of([&] { output = navigator_.update(now_); }));
     result_.plan_us = std::max(result_.plan_us, updates_us_.back());
     if (*output.status.reason != 0) result_.reason = output.status.reason;
-    base_.receive(kobuki::encode_command(kobuki::encode_velocity(output.velocity)).bytes(), now_);
+    wish_ = output.velocity;
+    obey();
+  }
+
+  void obey() {
+    geometry::Twist velocity;
+    checks_us_.push_back(microseconds_of([&] { velocity = brake_.check(wish_, now_).velocity; }));
+    base_.receive(kobuki::encode_command(kobuki::encode_velocity(velocity)).bytes(), now_);
   }
 
   bool is_over() {
@@ -138,6 +150,10 @@ class Drive {
   std::deque<geometry::Pose> poses_;
   std::vector<double> scans_us_;
   std::vector<double> updates_us_;
+  std::vector<double> brakes_us_;
+  std::vector<double> checks_us_;
+  CollisionBrake brake_{{}};
+  geometry::Twist wish_;
   DriveResult result_;
 };
 

@@ -10,7 +10,8 @@
 
 namespace tocsin::bench {
 
-/// One drive of a simulated Kobuki with an RPLIDAR A1, from a pose to a place.
+/// One drive of a simulated Kobuki with an RPLIDAR A1 and a collision brake, from a pose to a
+/// place.
 struct DriveTask {
   laser::Scene scene;
   navigation::OccupancyMap map;  ///< what the navigator knows before it starts
@@ -33,6 +34,7 @@ struct DriveResult {
   double way_m = 0;
   double scan_us = 0;    ///< of the navigator, median
   double update_us = 0;  ///< median
+  double brake_us = 0;   ///< of the brake for a scan and a velocity, medians
   double plan_us = 0;    ///< of the longest update, which plans
   geometry::Pose last;
   const char* reason = "";  ///< of the navigator's last standing

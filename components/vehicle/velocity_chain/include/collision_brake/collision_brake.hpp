@@ -26,8 +26,8 @@ constexpr std::array<const char*, 3> words_of(WithoutScan) { return {"stop", "cr
 /// With t the dead time, a the deceleration, u the speed at which what is ahead comes nearer by
 /// itself and s the free way on the arc, the speed v obeys v t + v^2 / (2 a) + u (t + v / a) <= s.
 /// Turning on the spot is always allowed: the body is a disc. What stands within the margin already
-/// may be left, and passed when it is beside (60 degrees and more), up to a centimetre. Pure; `now` must not
-/// decrease.
+/// may be left, and passed when it is beside (60 degrees and more), up to a centimetre. Pure; `now`
+/// must not decrease.
 class CollisionBrake {
  public:
   struct Params {
@@ -38,7 +38,7 @@ class CollisionBrake {
     double scan_timeout_s = 0.6;
     WithoutScan without_scan = WithoutScan::stop;
     double crawl_mps = 0.1;
-    double blind_sector_deg = 90;
+    double covered_sector_deg = 60;
     double bypass_s = 10;
     template <class Visitor>
     void visit(Visitor& v) {
@@ -51,8 +51,8 @@ class CollisionBrake {
       visit_enum(v, "without_scan", without_scan, Choices{"stop", "crawl", "pass"},
                  "what is allowed without a scan, and towards where none is seen");
       v("crawl_mps", crawl_mps, {0.02, 0.3}, "[m/s] of `crawl`");
-      v("blind_sector_deg", blind_sector_deg, {10, 360},
-        "[deg] a wider part of the turn without any return is not seen");
+      v("covered_sector_deg", covered_sector_deg, {10, 360},
+        "[deg] so wide a part of the turn that loses all returns at once is covered");
       v("bypass_s", bypass_s, {1, 60}, "[s] it is off after a person has asked for that");
     }
   };
@@ -88,7 +88,8 @@ class CollisionBrake {
   /// [m/s] on the arc of this velocity.
   [[nodiscard]] double allowed_mps(const geometry::Twist& arc) const;
   [[nodiscard]] double free_way_m(const laser::Points& points, const geometry::Twist& arc) const;
-  void look_for_blind_sectors(const laser::Scan& scan);
+  void look_for_sectors(const laser::Scan& scan);
+  void find_covered(const Sectors& has_return);
 
   Params params_;
   geometry::Pose pose_;
@@ -102,6 +103,8 @@ class CollisionBrake {
   laser::Points raw_;  ///< hits of the last scan as they were measured
   std::optional<Time> same_since_;
   Sectors is_seen_{};
+  Sectors had_return_{};  ///< in the last scan
+  Sectors is_covered_{};
   Time bypassed_until_ = Time::min();
 };
 
