@@ -139,8 +139,8 @@ TEST(Print, TellsTheMainFacts) {
   const std::string sut = to_text(toy_summary());
   EXPECT_THAT(sut, HasSubstr("mission_a: done, 9 of 9 waypoints in 99.5 s, 12 goals sent"));
   EXPECT_THAT(sut, HasSubstr("tocp_dsp: 2 pauses, 50.0 s of 100.0 s paused, the longest 40.0 s"));
-  EXPECT_THAT(sut,
-              HasSubstr("uxv low                                 3           0      2   40.0    500"));
+  EXPECT_THAT(
+      sut, HasSubstr("uxv low                                 3           0      2   40.0    500"));
 }
 
 TEST(Print, SaysWhenNoMissionWasRecorded) {
