@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "foundation/parameters.hpp"
+#include "geometry/pose.hpp"
+#include "laser_geometry/scan.hpp"
+#include "localisation/distance_map.hpp"
+#include "localisation/map_match.hpp"
+#include "navigation/occupancy_map.hpp"
+
+namespace tocsin::localisation {
+
+struct LocaliserParams {
+  double odometry_share = 0.05;
+  double odometry_turn_share = 0.05;
+  double lost_below = 0.4;
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("odometry_share", odometry_share, {0.001, 1}, "[1] deviation of odometry per metre driven");
+    v("odometry_turn_share", odometry_turn_share, {0.001, 1},
+      "[1] deviation of odometry per radian turned");
+    v("lost_below", lost_below, {0, 0.9}, "[1] less of a scan is explained by the map: lost");
+  }
+};
+
+/// How sure a localiser is. Nothing drives by a pose that is not tracked.
+enum class Health { lost, uncertain, tracked };
+constexpr std::array<const char*, 3> words_of(Health) { return {"lost", "uncertain", "tracked"}; }
+
+/// Where a vehicle with a laser is on a known map.
+///
+/// It keeps up to 40 hypotheses. Each is moved by odometry and matched to the map (`match`); what
+/// its beams meet is evidence for or against it: a beam that ends at a wall speaks for it, one that
+/// ends early (a box, a person) a little against it, one that went through a wall much. Evidence
+/// counts when the vehicle has moved, and fades, so that two rooms that are alike stay two
+/// hypotheses. Until one is sure, and when the map explains less than it did, poses everywhere are
+/// tried again.
+///
+/// Pure and deterministic.
+class Localiser {
+ public:
+  struct Hypothesis {
+    Belief belief;
+    double evidence = 0;   ///< logarithm of its weight
+    double explained = 1;  ///< share of beams that end at walls, smoothed over a second or so
+    double weight = 0;     ///< [range 0,1] of all hypotheses together
+  };
+  struct Estimate {
+    Belief belief;  ///< of the likeliest hypothesis; its covariance tells of the others, too
+    Health health = Health::uncertain;
+    double explained = 0;
+  };
+
+  Localiser(navigation::OccupancyMap map, const LocaliserParams& params);
+
+  /// The vehicle is there, to about `deviation_m` and `deviation_rad`.
+  void start_at(const geometry::Pose& pose, double deviation_m, double deviation_rad);
+  /// It may be anywhere: tried with the next scan.
+  void start_anywhere();
+  /// A scan, and where odometry said the vehicle was when it was made. Empty before the first
+  /// start, and for a scan without hits.
+  std::optional<Estimate> update(const laser::Scan& scan, const geometry::Pose& odom);
+  [[nodiscard]] const std::vector<Hypothesis>& hypotheses() const { return hypotheses_; }
+
+ private:
+  struct Evidence {
+    double explained = 0;
+    double log_likelihood = 0;  ///< mean of the beams
+  };
+  void move(const geometry::Pose& odom);
+  void settle(Hypothesis& hypothesis, const laser::Points& hits);
+  [[nodiscard]] Evidence evidence_of(const laser::Scan& scan, const geometry::Pose& pose) const;
+  void weigh(const laser::Scan& scan);
+  void search(const laser::Scan& scan, const laser::Points& hits);
+  void add(const Belief& belief, double evidence, double explained);
+  void prune();
+  [[nodiscard]] bool wants_search() const;
+  [[nodiscard]] Health health_of_best();
+  [[nodiscard]] Estimate estimate();
+
+  navigation::OccupancyMap map_;
+  DistanceMap distances_;
+  LocaliserParams params_;
+  std::vector<Hypothesis> hypotheses_;  ///< likeliest first
+  std::optional<geometry::Pose> odom_;
+  double moved_ = 0;         ///< since evidence was last counted; 1 m or 2 rad are 1
+  double since_search_ = 0;  ///< likewise, since poses everywhere were last tried
+  double since_jump_ = 0;    ///< likewise, since another hypothesis became the likeliest
+  bool is_anywhere_ = false;
+  bool was_tracked_ = false;
+  double usual_ = 0.7;  ///< share of a scan that is explained while it is tracked
+  int searches_ = 0;    ///< since it began, or became unsure
+  int scans_since_search_ = 0;
+  int badly_explained_ = 0;  ///< scans in a row
+};
+
+}  // namespace tocsin::localisation
