@@ -274,6 +274,9 @@ Localiser::Estimate Localiser::estimate() {
         geometry::wrap_angle(other.belief.pose.heading_rad - best.belief.pose.heading_rad));
     if (&other != &best) estimate.belief.covariance += other.weight * off * off.transpose();
   }
+  if (estimate.health == Health::uncertain) {
+    estimate.belief.covariance.diagonal() += Eigen::Vector3d(1, 1, 0.3);
+  }
   if (estimate.health == Health::lost) {
     estimate.belief.covariance.diagonal() += Eigen::Vector3d(25, 25, 3);
   }

@@ -2,6 +2,7 @@
 #include "navigator/navigator_component.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "foundation/error.hpp"
@@ -33,8 +34,10 @@ NavigatorComponent::NavigatorComponent(Context& context, const Params& params)
       navigator_(make_navigator(context.name, params)),
       action_(*this, params.pose_goal_timeout_s, params.navigator.follower.speed_mps),
       file_(context.state_path(".pose")),
-      localiser_(
-          make_localiser(file_, {params.start_x_m, params.start_y_m, params.start_yaw_rad})) {
+      localiser_(make_localiser(file_, {params.start_x_m, params.start_y_m, params.start_yaw_rad})),
+      localiser_pose_(seconds(params.localiser_timeout_s)) {
+  if (params.localisation == PoseSource::localiser)
+    amcl_pose_.emplace(*this, WakeMode::time_triggered);
   if (params.navigator.surroundings.avoid_obstacles) obstacles_.emplace(*this);
 }
 
@@ -46,6 +49,7 @@ void NavigatorComponent::set_parameters(const Params& params) {
 
 void NavigatorComponent::tick(Time now) {
   take_odometry(now);
+  take_localiser(now);
   if (obstacles_) obstacles_->take(navigator_, now);
   const bool is_ordered = take_orders(now);
   report_location(now);
@@ -70,13 +74,31 @@ bool NavigatorComponent::is_turn(Time now) {
 void NavigatorComponent::take_odometry(Time now) {
   const auto odom = odom_.take_latest();
   if (!odom) return;
-  pose_ = localiser_.update(geometry::pose_in(odom->pose().pose()), now);
+  const std::int64_t stamp_ns = stamp_ns_of(odom->header());
+  pose_ = pose_by(geometry::pose_in(odom->pose().pose()), stamp_ns, now);
   if (!pose_) return;
   navigator_.on_pose(*pose_, now);
   if (!obstacles_) return;
   const auto& twist = odom->twist().twist();
-  obstacles_->on_pose(stamp_ns_of(odom->header()), *pose_,
-                      {twist.linear().x(), twist.angular().z()});
+  obstacles_->on_pose(stamp_ns, *pose_, {twist.linear().x(), twist.angular().z()});
+}
+
+std::optional<geometry::Pose> NavigatorComponent::pose_by(const geometry::Pose& odom,
+                                                          std::int64_t stamp_ns, Time now) {
+  if (!amcl_pose_) return localiser_.update(odom, now);
+  localiser_pose_.on_odometry(stamp_ns, odom);
+  return localiser_pose_.pose(now);
+}
+
+void NavigatorComponent::take_localiser(Time now) {
+  if (!amcl_pose_) return;
+  const auto message = amcl_pose_->take_latest();
+  if (!message) return;
+  const auto& covariance = message->pose().covariance();
+  constexpr std::size_t y = 7;  // of six rows and columns
+  localiser_pose_.on_localiser(stamp_ns_of(message->header()),
+                               geometry::pose_in(message->pose().pose()),
+                               std::sqrt(covariance[0] + covariance[y]), now);
 }
 
 /// True when there was one to answer at once.
@@ -153,7 +175,7 @@ void NavigatorComponent::log_change(const Navigator::Status& status) {
 }
 
 void NavigatorComponent::remember(Time now) {
-  if (!pose_ || now < next_save_) return;
+  if (!pose_ || amcl_pose_ || now < next_save_) return;
   next_save_ = now + std::chrono::seconds(1);
   const bool was_saved = std::exchange(is_saved_, file_.save(localiser_.memory()));
   if (was_saved && !is_saved_) log().warn("the pose cannot be saved for a restart");

@@ -51,7 +51,8 @@ class Localiser {
     double weight = 0;     ///< [range 0,1] of all hypotheses together
   };
   struct Estimate {
-    Belief belief;  ///< of the likeliest hypothesis; its covariance tells of the others, too
+    Belief belief;  ///< of the likeliest hypothesis; its covariance tells of the others, too; at
+                    ///< least 1 m2 while it is not tracked
     Health health = Health::uncertain;
     double explained = 0;
   };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -8,6 +9,7 @@
 #include "geometry/pose.hpp"
 #include "geometry/twist.hpp"
 #include "navigator/localiser_file.hpp"
+#include "navigator/localiser_pose.hpp"
 #include "navigator/navigate_action.hpp"
 #include "navigator/navigator.hpp"
 #include "navigator/obstacle_inputs.hpp"
@@ -17,6 +19,10 @@
 
 namespace tocsin {
 
+/// By what the navigator knows where the vehicle is.
+enum class PoseSource { odometry, localiser };
+constexpr std::array<const char*, 2> words_of(PoseSource) { return {"odometry", "localiser"}; }
+
 /// Drives to goals; tells the ground station where the vehicle is and what becomes of the goal.
 class NavigatorComponent final : public Component {
  public:
@@ -25,6 +31,8 @@ class NavigatorComponent final : public Component {
     double start_x_m = 0;
     double start_y_m = 0;
     double start_yaw_rad = 0;
+    PoseSource localisation = PoseSource::odometry;
+    double localiser_timeout_s = 2;
     double rate_hz = 20;
     double location_hz = 5;
     double status_period_s = 1;
@@ -36,6 +44,10 @@ class NavigatorComponent final : public Component {
       v("start_x_m", start_x_m, {-1e5, 1e5}, "[m] where odometry begins, map frame");
       v("start_y_m", start_y_m, {-1e5, 1e5}, "[m]");
       v("start_yaw_rad", start_yaw_rad, {-7, 7}, "[rad]");
+      visit_enum(v, "localisation", localisation, Choices{"odometry", "localiser"},
+                 "where the pose comes from: odometry since the start, or `amcl_pose`");
+      v("localiser_timeout_s", localiser_timeout_s, {0.2, 60},
+        "[s] a localiser that is not sure for longer stops the vehicle");
       v("rate_hz", rate_hz, {5, 50}, "[Hz] of velocity commands");
       live(v)("location_hz", location_hz, {0.2, 20}, "[Hz] of the location, over the radio");
       v("status_period_s", status_period_s, {0.1, 60}, "[s] between reports without a change");
@@ -52,6 +64,9 @@ class NavigatorComponent final : public Component {
 
  private:
   void take_odometry(Time now);
+  void take_localiser(Time now);
+  [[nodiscard]] std::optional<geometry::Pose> pose_by(const geometry::Pose& odom,
+                                                      std::int64_t stamp_ns, Time now);
   bool take_orders(Time now);
   bool is_turn(Time now);
   void take_goal(const topic::Goal::Message& message, Time now);
@@ -69,13 +84,15 @@ class NavigatorComponent final : public Component {
   Output<topic::Location> location_{*this};
   Output<topic::NavigationStatus> status_{*this};
 
-  std::optional<ObstacleInputs> obstacles_;  ///< where they are avoided
+  std::optional<OptionalInput<topic::AmclPose>> amcl_pose_;  ///< where a localiser tells the pose
+  std::optional<ObstacleInputs> obstacles_;                  ///< where they are avoided
 
   Params params_;
   Navigator navigator_;
   NavigateAction action_;
   LocaliserFile file_;
   OdometryLocaliser localiser_;
+  LocaliserPose localiser_pose_;
   std::optional<geometry::Pose> pose_;
   Time next_turn_{};
   Time next_location_{};

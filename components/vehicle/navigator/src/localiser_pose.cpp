@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "navigator/localiser_pose.hpp"
+
+#include <cmath>
+
+namespace tocsin {
+namespace {
+
+constexpr double most_deviation_m = 0.5;
+
+geometry::Pose inverse(const geometry::Pose& pose) {
+  const double c = std::cos(pose.heading_rad);
+  const double s = std::sin(pose.heading_rad);
+  return {-c * pose.x_m - s * pose.y_m, s * pose.x_m - c * pose.y_m, -pose.heading_rad};
+}
+
+}  // namespace
+
+void LocaliserPose::on_odometry(std::int64_t stamp_ns, const geometry::Pose& odom) {
+  if (!is_finite(odom)) return;
+  odometry_.add(stamp_ns, odom);
+  odom_ = odom;
+}
+
+void LocaliserPose::on_localiser(std::int64_t stamp_ns, const geometry::Pose& pose,
+                                 double deviation_m, Time now) {
+  if (!is_finite(pose) || !(deviation_m <= most_deviation_m)) return;
+  const auto odom = odometry_.at(stamp_ns);
+  if (!odom) return;
+  map_from_odom_ = compose(pose, inverse(*odom));
+  sure_ = now;
+}
+
+std::optional<geometry::Pose> LocaliserPose::pose(Time now) const {
+  if (!odom_ || !sure_ || now - *sure_ > timeout_) return std::nullopt;
+  return compose(map_from_odom_, *odom_);
+}
+
+}  // namespace tocsin

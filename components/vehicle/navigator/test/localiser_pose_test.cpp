@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "navigator/localiser_pose.hpp"
+
+#include "foundation/numbers.hpp"
+#include "geometry/pose_message.hpp"
+#include "navigator_rig.hpp"
+
+namespace tocsin {
+namespace {
+
+constexpr std::int64_t ms = 1'000'000;
+
+TEST(LocaliserPose, IsWhereTheLocaliserSaidAndOdometrySince) {
+  LocaliserPose sut{seconds(2)};
+  const Time now = Time{} + seconds(100);
+  sut.on_odometry(1000 * ms, {1, 0, 0});
+  EXPECT_FALSE(sut.pose(now));
+  sut.on_odometry(1100 * ms, {2, 0, 0});
+  sut.on_localiser(1000 * ms, {5, 5, pi / 2}, 0.1, now);
+  const auto pose = sut.pose(now);
+  ASSERT_TRUE(pose);
+  EXPECT_NEAR(pose->x_m, 5, 1e-9);
+  EXPECT_NEAR(pose->y_m, 6, 1e-9);
+  EXPECT_TRUE(sut.pose(now + seconds(2)));
+  EXPECT_FALSE(sut.pose(now + seconds(2.1))) << "silent";
+}
+
+TEST(LocaliserPose, APoseThatIsNotSureOrHasNoOdometryDoesNotCount) {
+  LocaliserPose sut{seconds(2)};
+  const Time now = Time{} + seconds(100);
+  sut.on_odometry(1000 * ms, {1, 0, 0});
+  sut.on_localiser(1000 * ms, {5, 5, 0}, 0.6, now);
+  EXPECT_FALSE(sut.pose(now));
+  sut.on_localiser(1000 * ms, {5, 5, 0}, nan, now);
+  EXPECT_FALSE(sut.pose(now));
+  sut.on_localiser(1000 * ms, {nan, 5, 0}, 0.1, now);
+  EXPECT_FALSE(sut.pose(now));
+  sut.on_localiser(500 * ms, {5, 5, 0}, 0.1, now);
+  EXPECT_FALSE(sut.pose(now));
+  sut.on_odometry(1100 * ms, {nan, 0, 0});
+  sut.on_localiser(1000 * ms, {5, 5, 0}, 0.1, now);
+  EXPECT_TRUE(sut.pose(now));
+}
+
+/// By a localiser that is right, and says how sure it is.
+class LocalisedNavigatorTest : public NavigatorComponentTest {
+ protected:
+  LocalisedNavigatorTest() {
+    params_.localisation = PoseSource::localiser;
+    start();
+  }
+  void drive(double s) {
+    for (int i = 0; i < std::lround(s * 10); ++i) {
+      const std::int64_t ns = bus_.wall_ns(bus_.now());
+      auto odom = odometry();
+      odom.header().stamp().sec(static_cast<std::int32_t>(ns / 1'000'000'000));
+      odom.header().stamp().nanosec(static_cast<std::uint32_t>(ns % 1'000'000'000));
+      bus_.publish<topic::Odom>(odom);
+      topic::AmclPose::Message pose;
+      pose.header(odom.header());
+      pose.pose().pose(geometry::pose_message<geometry_msgs::msg::Pose>(
+          {odom_.x_m + 2, odom_.y_m, odom_.heading_rad}));
+      pose.pose().covariance()[0] = variance_m2_;
+      bus_.publish<topic::AmclPose>(pose);
+      sut_->tick(bus_.now());
+      bus_.run_for(seconds(0.1));
+      for (const auto& command : commands_.take()) command_ = command;
+      odom_ = compose(odom_, {command_.linear().x() * 0.1, 0, command_.angular().z() * 0.1});
+      for (const auto& status : statuses_.take()) status_ = status;
+    }
+  }
+  double variance_m2_ = 0.001;
+};
+
+TEST_F(LocalisedNavigatorTest, DrivesByItsLocaliserAndStandsWhileThatIsNotSure) {
+  drive(1);
+  send_goal(1, 4);
+  drive(2);
+  EXPECT_EQ(status_.state(), "driving");
+  variance_m2_ = 1;
+  drive(4);
+  EXPECT_EQ(status_.state(), "held");
+  EXPECT_EQ(command_.linear().x(), 0);
+  variance_m2_ = 0.001;
+  drive(12);
+  EXPECT_EQ(status_.state(), "reached");
+  EXPECT_NEAR(odom_.x_m, 2, 0.2) << "the map's 4";
+}
+
+}  // namespace
+}  // namespace tocsin
