@@ -27,6 +27,8 @@ constexpr int scans_to_lose = 8;
 constexpr double step_before_trust = 1.0;  // of `since_jump_`
 constexpr int searches_before_trust = 4;
 constexpr double search_every = 0.3;  // of `since_search_`
+constexpr int scans_to_search = 5;
+constexpr double well_explained = 0.55;
 constexpr std::size_t searched_candidates = 200;
 constexpr double smoothing = 0.2;
 
@@ -90,6 +92,7 @@ std::optional<Localiser::Estimate> Localiser::update(const laser::Scan& scan,
   if (!is_finite(odom)) return std::nullopt;
   move(odom);
   if ((hypotheses_.empty() && !is_anywhere_) || scan.hits.empty()) return std::nullopt;
+  if (is_repeated(scan)) return std::nullopt;
   const laser::Points hits = some_of(scan.hits, matched_hits);
   for (Hypothesis& hypothesis : hypotheses_) settle(hypothesis, hits);
   weigh(scan);
@@ -98,6 +101,18 @@ std::optional<Localiser::Estimate> Localiser::update(const laser::Scan& scan,
   prune();
   if (hypotheses_.empty()) return std::nullopt;
   return estimate();
+}
+
+/// Noise makes every scan another: one that is the same was not measured.
+bool Localiser::is_repeated(const laser::Scan& scan) {
+  const auto is_same = [](const geometry::Point& a, const geometry::Point& b) {
+    return a.x_m == b.x_m && a.y_m == b.y_m;
+  };
+  const bool is_repeated =
+      scan.hits.size() == last_hits_.size() &&
+      std::equal(scan.hits.begin(), scan.hits.end(), last_hits_.begin(), is_same);
+  last_hits_ = scan.hits;
+  return is_repeated;
 }
 
 void Localiser::move(const geometry::Pose& odom) {
@@ -209,7 +224,7 @@ bool Localiser::wants_search() const {
   if (hypotheses_.empty()) return is_anywhere_;
   const bool doubts = hypotheses_.front().explained < usual_ - 0.15;
   if (was_tracked_ && !doubts) return false;
-  return since_search_ > search_every || (doubts && scans_since_search_ > 10);
+  return since_search_ > search_every || scans_since_search_ > scans_to_search;
 }
 
 void Localiser::add(const Belief& belief, double evidence, double explained) {
@@ -254,8 +269,10 @@ Health Localiser::health_of_best() {
     searches_ = 0;
     return Health::lost;
   }
-  const bool is_alone =
-      best.weight > sure && since_jump_ >= step_before_trust && searches_ >= searches_before_trust;
+  // Who stands sees one place only: more searches, and a better fit.
+  const bool has_moved = since_jump_ >= step_before_trust && searches_ >= searches_before_trust;
+  const bool has_looked = searches_ >= 2 * searches_before_trust && best.explained > well_explained;
+  const bool is_alone = best.weight > sure && (has_moved || has_looked);
   const bool fits = best.explained > std::max(params_.lost_below + 0.05, usual_ - 0.2);
   was_tracked_ = is_alone && fits;
   if (was_tracked_) usual_ += 0.01 * (best.explained - usual_);
