@@ -18,6 +18,9 @@ constexpr double moved_m = 0.05;  // more is progress
 constexpr double turned_rad = 0.1;
 constexpr double slow_mps = 0.15;
 constexpr double bumper_gap_m = 0.05;  // left between a wall and a vehicle that braked before it
+constexpr double look_radps = 0.5;
+constexpr Duration look_after = std::chrono::seconds(3);  // without a pose
+constexpr Duration longest_look = std::chrono::seconds(60);
 constexpr Duration back_up_time = std::chrono::milliseconds(1500);
 
 geometry::Pose ahead(const geometry::Pose& pose, double metres) {
@@ -63,7 +66,10 @@ void Navigator::on_touch(double bearing_rad, double away_m, Time now) {
 Navigator::Output Navigator::update(Time now) {
   const Duration dt = last_update_ ? now - *last_update_ : Duration{0};
   last_update_ = now;
-  if (const char* reason = reason_to_halt(now)) return stand(State::held, follower_.halt(), reason);
+  if (const char* reason = reason_to_halt(now)) {
+    const bool looks = may_look_around(now);
+    return stand(State::held, looks ? follower_.turn_by(look_radps, dt) : follower_.halt(), reason);
+  }
   if (!goals_.present()) return stand(State::idle, follower_.brake(dt), "no_goal");
   if (is_link_lost(now) && params_.on_link_lost == OnLinkLost::go_home) return go_home(now, dt);
   const char* const reason = reason_to_hold(now);
@@ -73,6 +79,13 @@ Navigator::Output Navigator::update(Time now) {
   if (reason == nullptr && stands_at_goal()) (void)goals_.advance();
   const Goal& goal = *goals_.present();
   return drive({goals_.present_number(), goal.pose, goal.tolerance_m}, now, dt);
+}
+
+/// For a while, with a goal, when what is missing is the pose.
+bool Navigator::may_look_around(Time now) const {
+  if (!params_.look_around || emergency_stop_ || !home_ || !is_busy(now)) return false;
+  const Duration missing = now - pose_time_;
+  return missing > look_after && missing < look_after + longest_look;
 }
 
 bool Navigator::is_busy(Time now) const {

@@ -150,6 +150,25 @@ TEST_F(NavigatorObstaclesTest, PassesAGapThatTheMarginWouldClose) {
   EXPECT_GT(nearest_m_, 0);
 }
 
+TEST_F(NavigatorObstaclesTest, LooksAroundWhenItDoesNotKnowWhereItIs) {
+  Navigator::Params params = avoiding();
+  params.look_around = true;
+  Vehicle vehicle(params, 0);
+  ASSERT_EQ(vehicle.send(1, {7, 1, 0}), Answer::accepted);
+  vehicle.sut.on_scan({}, vehicle.pose, vehicle.now);
+  (void)vehicle.step();
+  vehicle.has_localisation = false;
+  EXPECT_EQ(vehicle.run(2.9).velocity.angular_rad_s, 0);
+  const auto looking = vehicle.run(2);
+  EXPECT_EQ(looking.velocity.linear_mps, 0);
+  EXPECT_NEAR(looking.velocity.angular_rad_s, 0.5, 1e-9);
+  EXPECT_EQ(looking.status.state, State::held);
+  vehicle.sut.on_emergency_stop(true);
+  EXPECT_EQ(vehicle.step().velocity.angular_rad_s, 0);
+  vehicle.sut.on_emergency_stop(false);
+  EXPECT_EQ(vehicle.run(70).velocity.angular_rad_s, 0) << "for a minute";
+}
+
 TEST(NavigatorWithoutLaser, NeedsNoScan) {
   Vehicle vehicle;
   ASSERT_EQ(vehicle.send(1, {3, 3, 0}), Answer::accepted);

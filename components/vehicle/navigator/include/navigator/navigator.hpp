@@ -41,6 +41,7 @@ class Navigator {
     double retry_after_s = 3;
     double replan_beside_m = 0.4;
     double slow_near_m = 0.3;
+    bool look_around = false;
     Surroundings::Params surroundings;
     bool align_yaw = true;
     double yaw_tolerance_rad = 0.2;
@@ -57,6 +58,8 @@ class Navigator {
       v("retry_after_s", retry_after_s, {0.5, 60}, "[s] blocked for this long before a new try");
       v("replan_beside_m", replan_beside_m, {0.1, 5}, "[m] farther beside the path: plan again");
       v("slow_near_m", slow_near_m, {0, 2}, "[m] slower when nearer to an obstacle; 0: never");
+      v("look_around", look_around,
+        "whether it turns on the spot when it does not know where it is, so that a localiser may");
       surroundings.visit(v);
       v("align_yaw", align_yaw, "whether to turn to the goal's heading after arriving");
       v("yaw_tolerance_rad", yaw_tolerance_rad, {0.02, 3}, "[rad] heading error that will do");
@@ -125,6 +128,7 @@ class Navigator {
   [[nodiscard]] bool stands_at_goal() const;
   [[nodiscard]] Status status(State state, double distance_m, const char* reason) const;
   Output stand(State state, const geometry::Twist& velocity, const char* reason);
+  [[nodiscard]] bool may_look_around(Time now) const;
   Output go_home(Time now, Duration dt);
   Output drive(const Target& target, Time now, Duration dt);
   Output drive_path(const Target& target, Time now, Duration dt);
