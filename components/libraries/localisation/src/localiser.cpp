@@ -24,11 +24,12 @@ constexpr double sure = 0.995;     // weight of a hypothesis that is alone
 constexpr double same_m = 0.25;
 constexpr double same_rad = 15 * degree;
 constexpr int scans_to_lose = 8;
-constexpr double step_before_trust = 1.0;  // of `since_jump_`
+constexpr double way_before_trust_m = 1.5;
 constexpr int searches_before_trust = 4;
 constexpr double search_every = 0.3;  // of `since_search_`
 constexpr int scans_to_search = 5;
-constexpr double well_explained = 0.55;
+constexpr double most_through = 0.1;  // of the beams of a pose that is right
+constexpr double well_explained = 0.75;
 constexpr std::size_t searched_candidates = 200;
 constexpr double smoothing = 0.2;
 
@@ -66,7 +67,7 @@ void Localiser::start_at(const geometry::Pose& pose, double deviation_m, double 
   hypotheses_.clear();
   is_anywhere_ = false;
   badly_explained_ = 0;
-  since_jump_ = step_before_trust;
+  since_jump_m_ = way_before_trust_m;
   searches_ = searches_before_trust;
   was_tracked_ = true;
   usual_ = 0.7;
@@ -75,14 +76,14 @@ void Localiser::start_at(const geometry::Pose& pose, double deviation_m, double 
   belief.covariance = Eigen::Vector3d(deviation_m * deviation_m, deviation_m * deviation_m,
                                       deviation_rad * deviation_rad)
                           .asDiagonal();
-  add(belief, 0, 1);
+  add(belief, 0, {1, 0, 0});
 }
 
 void Localiser::start_anywhere() {
   hypotheses_.clear();
   is_anywhere_ = true;
   was_tracked_ = false;
-  since_jump_ = 0;
+  since_jump_m_ = 0;
   searches_ = 0;
   usual_ = 0.6;
 }
@@ -123,7 +124,7 @@ void Localiser::move(const geometry::Pose& odom) {
   const double moved = way_m + turn_rad / 2;
   moved_ += moved;
   since_search_ += moved;
-  since_jump_ += moved;
+  since_jump_m_ += way_m;
   const double along_m = params_.odometry_share * way_m + 0.002;
   const double turned_rad = params_.odometry_turn_share * turn_rad + 0.03 * way_m + 0.002;
   for (Hypothesis& hypothesis : hypotheses_) {
@@ -176,11 +177,12 @@ Localiser::Evidence Localiser::evidence_of(const laser::Scan& scan,
     }
     const double range_m = distance(from.front(), hit);
     const auto wall_at_m = map_.raycast(from.front(), bearing(from.front(), hit), range_m);
-    evidence.log_likelihood +=
-        wall_at_m && *wall_at_m + through_m < range_m ? goes_through : ends_early;
+    const bool is_through = wall_at_m && *wall_at_m + through_m < range_m;
+    evidence.through += is_through ? 1 : 0;
+    evidence.log_likelihood += is_through ? goes_through : ends_early;
   }
   const auto count = static_cast<double>(hits.size());
-  return {evidence.explained / count, evidence.log_likelihood / count};
+  return {evidence.explained / count, evidence.through / count, evidence.log_likelihood / count};
 }
 
 void Localiser::weigh(const laser::Scan& scan) {
@@ -189,13 +191,15 @@ void Localiser::weigh(const laser::Scan& scan) {
   for (Hypothesis& hypothesis : hypotheses_) {
     const Evidence evidence = evidence_of(scan, hypothesis.belief.pose);
     hypothesis.explained += smoothing * (evidence.explained - hypothesis.explained);
+    hypothesis.through += smoothing * (evidence.through - hypothesis.through);
     if (!counts) continue;
     hypothesis.evidence = fading * hypothesis.evidence + witnesses * evidence.log_likelihood;
   }
 }
 
-/// New hypotheses begin behind the likeliest one when that was sure: they must earn their place.
-/// Else with what this scan says of both, as if it had been seen five times.
+/// New hypotheses begin with what this scan says of them beside the likeliest one, as if it had
+/// been seen five times; behind it when it was sure, and the more, the oftener they were not found
+/// before.
 void Localiser::search(const laser::Scan& scan, const laser::Points& hits) {
   constexpr double as_often = 5;
   constexpr double behind = 8;
@@ -203,6 +207,7 @@ void Localiser::search(const laser::Scan& scan, const laser::Points& hits) {
   since_search_ = 0;
   scans_since_search_ = 0;
   is_anywhere_ = false;
+  const double late = std::min(behind, 2.0 * (searches_ - 1));
   const bool is_first = hypotheses_.empty();
   const double best = is_first ? 0 : hypotheses_.front().evidence;
   const double best_says =
@@ -215,23 +220,24 @@ void Localiser::search(const laser::Scan& scan, const laser::Points& hits) {
     belief = match(distances_, hits, belief);
     const Evidence evidence = evidence_of(scan, belief.pose);
     const double more = as_often * witnesses * (evidence.log_likelihood - best_says);
-    add(belief, best + (was_tracked_ ? std::min(more, 0.0) - behind : more), evidence.explained);
+    add(belief, best + (was_tracked_ ? std::min(more, 0.0) - behind : more - late), evidence);
   }
 }
 
 /// Until it is sure, and when the map explains less than it usually does.
 bool Localiser::wants_search() const {
   if (hypotheses_.empty()) return is_anywhere_;
-  const bool doubts = hypotheses_.front().explained < usual_ - 0.15;
+  const Hypothesis& best = hypotheses_.front();
+  const bool doubts = best.explained < usual_ - 0.15 || best.through > most_through;
   if (was_tracked_ && !doubts) return false;
   return since_search_ > search_every || scans_since_search_ > scans_to_search;
 }
 
-void Localiser::add(const Belief& belief, double evidence, double explained) {
+void Localiser::add(const Belief& belief, double evidence, const Evidence& seen) {
   for (const Hypothesis& known : hypotheses_) {
     if (apart(known.belief.pose, belief.pose) < 1) return;
   }
-  hypotheses_.push_back({belief, evidence, explained, 0});
+  hypotheses_.push_back({belief, evidence, seen.explained, seen.through, 0});
 }
 
 void Localiser::prune() {
@@ -249,7 +255,7 @@ void Localiser::prune() {
   }
   hypotheses_ = std::move(kept);
   if (apart(before, hypotheses_.front().belief.pose) > 1) {
-    since_jump_ = 0;
+    since_jump_m_ = 0;
     searches_ = std::min(searches_, 1);
     was_tracked_ = false;
   }
@@ -270,10 +276,11 @@ Health Localiser::health_of_best() {
     return Health::lost;
   }
   // Who stands sees one place only: more searches, and a better fit.
-  const bool has_moved = since_jump_ >= step_before_trust && searches_ >= searches_before_trust;
-  const bool has_looked = searches_ >= 2 * searches_before_trust && best.explained > well_explained;
+  const bool has_moved = since_jump_m_ >= way_before_trust_m && searches_ >= searches_before_trust;
+  const bool has_looked = searches_ >= 3 * searches_before_trust && best.explained > well_explained;
   const bool is_alone = best.weight > sure && (has_moved || has_looked);
-  const bool fits = best.explained > std::max(params_.lost_below + 0.05, usual_ - 0.2);
+  const bool fits = best.explained > std::max(params_.lost_below + 0.05, usual_ - 0.2) &&
+                    best.through < most_through;
   was_tracked_ = is_alone && fits;
   if (was_tracked_) usual_ += 0.01 * (best.explained - usual_);
   return was_tracked_ ? Health::tracked : Health::uncertain;

@@ -48,6 +48,7 @@ class Localiser {
     Belief belief;
     double evidence = 0;   ///< logarithm of its weight
     double explained = 1;  ///< share of beams that end at walls, smoothed over a second or so
+    double through = 0;    ///< share of beams that end behind walls, likewise
     double weight = 0;     ///< [range 0,1] of all hypotheses together
   };
   struct Estimate {
@@ -71,6 +72,7 @@ class Localiser {
  private:
   struct Evidence {
     double explained = 0;
+    double through = 0;
     double log_likelihood = 0;  ///< mean of the beams
   };
   [[nodiscard]] bool is_repeated(const laser::Scan& scan);
@@ -79,7 +81,7 @@ class Localiser {
   [[nodiscard]] Evidence evidence_of(const laser::Scan& scan, const geometry::Pose& pose) const;
   void weigh(const laser::Scan& scan);
   void search(const laser::Scan& scan, const laser::Points& hits);
-  void add(const Belief& belief, double evidence, double explained);
+  void add(const Belief& belief, double evidence, const Evidence& seen);
   void prune();
   [[nodiscard]] bool wants_search() const;
   [[nodiscard]] Health health_of_best();
@@ -93,7 +95,7 @@ class Localiser {
   std::optional<geometry::Pose> odom_;
   double moved_ = 0;         ///< since evidence was last counted; 1 m or 2 rad are 1
   double since_search_ = 0;  ///< likewise, since poses everywhere were last tried
-  double since_jump_ = 0;    ///< likewise, since another hypothesis became the likeliest
+  double since_jump_m_ = 0;  ///< way since another hypothesis became the likeliest
   bool is_anywhere_ = false;
   bool was_tracked_ = false;
   double usual_ = 0.7;  ///< share of a scan that is explained while it is tracked
