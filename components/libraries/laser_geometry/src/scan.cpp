@@ -2,6 +2,7 @@
 #include "laser_geometry/scan.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -60,6 +61,29 @@ Scan make_scan(const std::vector<double>& ranges_m, const Beams& beams, const Sc
                     laser.y_m + length_m * std::sin(bearing_rad)});
   }
   return scan;
+}
+
+bool is_repeated(const Scan& before, const Scan& now) {
+  constexpr std::size_t bins = 360;
+  constexpr double same_m = 0.0002;
+  constexpr int least = 8;
+  const auto bin_of = [](const Point& from, const Point& to) {
+    const double share = geometry::bearing(from, to) / (2 * pi) + 0.5;
+    return std::min(bins - 1, static_cast<std::size_t>(share * bins));
+  };
+  std::array<double, bins> ranges_m{};
+  for (const Point& hit : before.hits) {
+    ranges_m[bin_of(before.laser, hit)] = geometry::distance(before.laser, hit);
+  }
+  int common = 0;
+  int same = 0;
+  for (const Point& hit : now.hits) {
+    const double range_m = ranges_m[bin_of(now.laser, hit)];
+    if (range_m == 0) continue;
+    ++common;
+    if (std::abs(geometry::distance(now.laser, hit) - range_m) < same_m) ++same;
+  }
+  return common >= least && same >= 0.85 * common;
 }
 
 Points transformed(const Points& points, const geometry::Pose& pose) {

@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
+
+#include "foundation/numbers.hpp"
+
 namespace tocsin::laser {
 namespace {
 
@@ -79,6 +84,30 @@ TEST(Thinned, KeepsTheFirstPointOfEachSquareInTheirOrder) {
   EXPECT_DOUBLE_EQ(thin[0].x_m, 0.51);
   EXPECT_DOUBLE_EQ(thin[1].x_m, -0.01);
   EXPECT_DOUBLE_EQ(thin[2].x_m, 0.01);
+}
+
+Scan turn_of(double noise_m, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<> noise(0, 1);
+  Scan scan;
+  for (int i = 0; i < 180; ++i) {
+    const double range_m = 2 + noise_m * noise(random);
+    const double bearing_rad = (i + 0.5) * degree;
+    scan.hits.push_back({range_m * std::cos(bearing_rad), range_m * std::sin(bearing_rad)});
+  }
+  return scan;
+}
+
+TEST(IsRepeated, TellsAScanThatIsSentAgainFromOneThatIsMeasuredAgain) {
+  const Scan scan = turn_of(0.003, 1);
+  EXPECT_TRUE(is_repeated(scan, scan));
+  EXPECT_FALSE(is_repeated(scan, turn_of(0.003, 2)));
+  Scan nearly = scan;
+  nearly.hits.erase(nearly.hits.begin(), nearly.hits.begin() + 10);
+  nearly.hits[40].x_m += 0.01;
+  EXPECT_TRUE(is_repeated(scan, nearly)) << "a few readings are others";
+  EXPECT_FALSE(is_repeated({}, {})) << "nothing is no sign";
+  EXPECT_FALSE(is_repeated(scan, {}));
 }
 
 }  // namespace

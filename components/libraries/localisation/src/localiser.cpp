@@ -93,7 +93,9 @@ std::optional<Localiser::Estimate> Localiser::update(const laser::Scan& scan,
   if (!is_finite(odom)) return std::nullopt;
   move(odom);
   if ((hypotheses_.empty() && !is_anywhere_) || scan.hits.empty()) return std::nullopt;
-  if (is_repeated(scan)) return std::nullopt;
+  const bool is_old = last_scan_ && laser::is_repeated(*last_scan_, scan);
+  last_scan_ = scan;
+  if (is_old) return std::nullopt;
   const laser::Points hits = some_of(scan.hits, matched_hits);
   for (Hypothesis& hypothesis : hypotheses_) settle(hypothesis, hits);
   weigh(scan);
@@ -102,18 +104,6 @@ std::optional<Localiser::Estimate> Localiser::update(const laser::Scan& scan,
   prune();
   if (hypotheses_.empty()) return std::nullopt;
   return estimate();
-}
-
-/// Noise makes every scan another: one that is the same was not measured.
-bool Localiser::is_repeated(const laser::Scan& scan) {
-  const auto is_same = [](const geometry::Point& a, const geometry::Point& b) {
-    return a.x_m == b.x_m && a.y_m == b.y_m;
-  };
-  const bool is_repeated =
-      scan.hits.size() == last_hits_.size() &&
-      std::equal(scan.hits.begin(), scan.hits.end(), last_hits_.begin(), is_same);
-  last_hits_ = scan.hits;
-  return is_repeated;
 }
 
 void Localiser::move(const geometry::Pose& odom) {

@@ -63,14 +63,11 @@ void CollisionBrake::on_pose(const geometry::Pose& pose, const Twist& velocity, 
 
 void CollisionBrake::on_scan(const laser::Scan& scan, const geometry::Pose& pose, Time now) {
   if (!geometry::is_finite(pose)) return;
-  const bool is_same =
-      scan.hits.size() == raw_.size() &&
-      std::equal(raw_.begin(), raw_.end(), scan.hits.begin(),
-                 [](const Point& a, const Point& b) { return a.x_m == b.x_m && a.y_m == b.y_m; });
+  const bool is_same = last_scan_ && laser::is_repeated(*last_scan_, scan);
   const bool may_be_same = !is_same || std::abs(velocity_.linear_mps) < moves_mps;
   if (may_be_same) same_since_.reset();
   if (!may_be_same && !same_since_) same_since_ = now;
-  raw_ = scan.hits;
+  last_scan_ = scan;
   before_ = std::move(points_);
   period_s_ = scan_time_ ? to_seconds(now - *scan_time_) : 0;
   points_.clear();

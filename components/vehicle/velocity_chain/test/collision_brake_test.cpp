@@ -175,7 +175,7 @@ TEST_F(CollisionBrakeTest, AScanThatDoesNotChangeWhileItDrivesIsNone) {
   look({});
   look({});
   EXPECT_STREQ(sut_.check({0.3, 0}, now_).reason, "stuck_scan");
-  look({{2.5, 0}});
+  sut_.on_scan(seen({}, 2.8), {}, now_);
   EXPECT_EQ(allowed(0.3), 0.3);
   velocity_ = {};
   for (int i = 0; i < 30; ++i) look({{2.5, 0}});

@@ -40,6 +40,11 @@ struct Beams {
 [[nodiscard]] Scan make_scan(const std::vector<double>& ranges_m, const Beams& beams,
                              const ScanParams& params = {});
 
+/// Whether two turns are one that was sent again, whole or but for a few readings: of the hits that
+/// both have in the same degree, at least eight, 85 % lie within 0.2 mm. No two turns of a laser
+/// that measures are so alike.
+[[nodiscard]] bool is_repeated(const Scan& before, const Scan& now);
+
 /// `points`, given in the frame of `pose`, in the frame that `pose` is given in.
 [[nodiscard]] Points transformed(const Points& points, const geometry::Pose& pose);
 

@@ -65,7 +65,7 @@ class Localiser {
   /// It may be anywhere: tried with the next scan.
   void start_anywhere();
   /// A scan, and where odometry said the vehicle was when it was made. Empty before the first
-  /// start, and for a scan without hits or one that is the last again, to the bit.
+  /// start, and for a scan without hits or one that is the last again.
   std::optional<Estimate> update(const laser::Scan& scan, const geometry::Pose& odom);
   [[nodiscard]] const std::vector<Hypothesis>& hypotheses() const { return hypotheses_; }
 
@@ -75,7 +75,6 @@ class Localiser {
     double through = 0;
     double log_likelihood = 0;  ///< mean of the beams
   };
-  [[nodiscard]] bool is_repeated(const laser::Scan& scan);
   void move(const geometry::Pose& odom);
   void settle(Hypothesis& hypothesis, const laser::Points& hits);
   [[nodiscard]] Evidence evidence_of(const laser::Scan& scan, const geometry::Pose& pose) const;
@@ -91,7 +90,7 @@ class Localiser {
   DistanceMap distances_;
   LocaliserParams params_;
   std::vector<Hypothesis> hypotheses_;  ///< likeliest first
-  laser::Points last_hits_;
+  std::optional<laser::Scan> last_scan_;
   std::optional<geometry::Pose> odom_;
   double moved_ = 0;         ///< since evidence was last counted; 1 m or 2 rad are 1
   double since_search_ = 0;  ///< likewise, since poses everywhere were last tried

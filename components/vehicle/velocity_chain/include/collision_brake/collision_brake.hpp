@@ -100,7 +100,7 @@ class CollisionBrake {
   std::optional<Time> scan_time_;
   double period_s_ = 0;  ///< between the two
   geometry::Pose scan_pose_;
-  laser::Points raw_;  ///< hits of the last scan as they were measured
+  std::optional<laser::Scan> last_scan_;
   std::optional<Time> same_since_;
   Sectors is_seen_{};
   Sectors had_return_{};  ///< in the last scan
