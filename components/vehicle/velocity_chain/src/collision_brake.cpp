@@ -16,6 +16,10 @@ constexpr double looked_at_m = 3.0;        // farther away nothing limits the sp
 constexpr double fastest_other_mps = 2.5;  // what seems faster is something else
 constexpr double straight_per_m = 1e-3;
 constexpr double stuck_after_s = 1.0;
+constexpr double walkers_within_m = 2.0;
+constexpr double entered_m = 0.08;  // so much nearer than where a beam ended something has come
+constexpr double companion_m = 0.15;
+constexpr Duration walkers_last = std::chrono::milliseconds(600);
 constexpr double moves_mps = 0.05;
 constexpr double beside = 0.5;    // cosine of the bearing from which on it is not ahead
 constexpr double touch_m = 0.01;  // nearer to the body is a touch
@@ -52,6 +56,29 @@ double way_until(const Point& p, double bend_per_m, double reach_m) {
   return radius_m * std::max(0.0, to_point_rad - touching_rad);
 }
 
+std::size_t degree_of(const Point& from, const Point& to) {
+  const double share = geometry::bearing(from, to) / (2 * pi) + 0.5;
+  return std::min<std::size_t>(359, static_cast<std::size_t>(share * 360));
+}
+
+/// From a place to the nearest point of the next metres of an arc that begins at the origin.
+double gap_to_arc_m(const Point& p, const Twist& arc, double length_m) {
+  constexpr int samples = 30;
+  const double way_m = arc.linear_mps > 0 ? length_m : -length_m;
+  const double turn_rad = arc.angular_rad_s / arc.linear_mps * way_m;
+  double nearest_m = infinity;
+  for (int i = 0; i <= samples; ++i) {
+    const double share = static_cast<double>(i) / samples;
+    const double bend_rad = share * turn_rad;
+    const double chord_m = std::abs(bend_rad) < 1e-6
+                               ? share * way_m
+                               : share * way_m * std::sin(bend_rad / 2) / (bend_rad / 2);
+    const Point at{chord_m * std::cos(bend_rad / 2), chord_m * std::sin(bend_rad / 2)};
+    nearest_m = std::min(nearest_m, geometry::distance(at, p));
+  }
+  return nearest_m;
+}
+
 }  // namespace
 
 void CollisionBrake::on_pose(const geometry::Pose& pose, const Twist& velocity, Time now) {
@@ -68,6 +95,7 @@ void CollisionBrake::on_scan(const laser::Scan& scan, const geometry::Pose& pose
   if (may_be_same) same_since_.reset();
   if (!may_be_same && !same_since_) same_since_ = now;
   last_scan_ = scan;
+  find_walkers(scan, pose, now);
   before_ = std::move(points_);
   period_s_ = scan_time_ ? to_seconds(now - *scan_time_) : 0;
   points_.clear();
@@ -114,6 +142,61 @@ void CollisionBrake::find_covered(const Sectors& has_return) {
   }
 }
 
+/// Where the last turn looked through and now something is, something walks. What was hidden then
+/// tells nothing. A single reading may be half of one thing and half of another.
+void CollisionBrake::find_walkers(const laser::Scan& scan, const geometry::Pose& pose, Time now) {
+  const auto is_old = [now](const Walker& one) { return now - one.seen > walkers_last; };
+  walkers_.erase(std::remove_if(walkers_.begin(), walkers_.end(), is_old), walkers_.end());
+  laser::Points entered;
+  for (const Point& hit : scan.hits) {
+    if (std::hypot(hit.x_m, hit.y_m) > walkers_within_m) continue;
+    const Point at = laser::transformed({hit}, pose).front();
+    const Point seen = in_frame_of(scan_pose_, at);
+    const double free_m = reach_[degree_of(scan_laser_, seen)];
+    if (free_m > geometry::distance(scan_laser_, seen) + entered_m) entered.push_back(at);
+  }
+  for (const Point& one : entered) {
+    const auto is_beside = [&one](const Point& other) {
+      return &other != &one && geometry::distance(one, other) < companion_m;
+    };
+    const bool is_alone = std::none_of(entered.begin(), entered.end(), is_beside);
+    if (!is_alone && params_.walking_mps > 0) walkers_.push_back({one, now});
+  }
+  note_reach(scan);
+}
+
+/// How far each degree and its neighbours looked through; 0 where one of them has no beam.
+void CollisionBrake::note_reach(const laser::Scan& scan) {
+  scan_laser_ = scan.laser;
+  std::array<double, degrees> nearest{};
+  const auto note = [&](const Point& end) {
+    double& range_m = nearest[degree_of(scan.laser, end)];
+    const double end_m = geometry::distance(scan.laser, end);
+    range_m = range_m == 0 ? end_m : std::min(range_m, end_m);
+  };
+  for (const Point& hit : scan.hits) note(hit);
+  for (const Point& end : scan.misses) note(end);
+  for (std::size_t i = 0; i < degrees; ++i) {
+    reach_[i] =
+        std::min({nearest[(i + degrees - 1) % degrees], nearest[i], nearest[(i + 1) % degrees]});
+  }
+}
+
+/// So slow that it stands before whoever walks can be in its way: the time to stop is at most that
+/// of a walk to the nearest place of the arc.
+double CollisionBrake::allowed_by_walkers_mps(const Twist& arc) const {
+  const double a = params_.deceleration_mps2;
+  const double longest_m = looked_at_m;
+  double most_mps = infinity;
+  for (const Walker& walker : walkers_) {
+    const Point p = in_frame_of(pose_, walker.at);
+    const double gap_m = gap_to_arc_m(p, arc, longest_m) - params_.body_radius_m - params_.margin_m;
+    const double time_s = std::max(0.0, gap_m) / params_.walking_mps - params_.dead_time_s;
+    most_mps = std::min(most_mps, a * std::max(0.0, time_s));
+  }
+  return most_mps;
+}
+
 void CollisionBrake::on_bypass(bool wanted, Time now) {
   bypassed_until_ = wanted ? now + seconds(params_.bypass_s) : Time::min();
 }
@@ -124,7 +207,7 @@ CollisionBrake::Verdict CollisionBrake::check(const Twist& wanted, Time now) con
   if (wanted.linear_mps == 0) return {wanted, Action::none, ""};
   if (const char* reason = reason_of_blindness(now)) return without_sight(wanted, reason);
   if (!sees_towards(wanted.linear_mps > 0 ? 0 : pi)) return without_sight(wanted, "blind");
-  double most_mps = allowed_mps(wanted);
+  double most_mps = std::min(allowed_mps(wanted), allowed_by_walkers_mps(wanted));
   const bool goes_on =
       velocity_.linear_mps * wanted.linear_mps > 0 && std::abs(velocity_.linear_mps) > moves_mps;
   if (goes_on) most_mps = std::min(most_mps, allowed_mps(velocity_));

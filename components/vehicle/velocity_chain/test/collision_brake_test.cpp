@@ -138,6 +138,23 @@ TEST_F(CollisionBrakeTest, IsSlowerForWhatComesNearerByItself) {
   EXPECT_NEAR(stopping_m(allowed(0.7)), 0.6 - body_m - margin_m, 1e-9);
 }
 
+TEST_F(CollisionBrakeTest, StopsForWhoWalksTowardsItsWay) {
+  const auto person = [](double y_m) {
+    std::vector<Point> points;
+    for (int i = -3; i <= 3; ++i) points.push_back({1 + 0.03 * i, y_m});
+    return points;
+  };
+  stands(person(0.9));
+  EXPECT_EQ(allowed(0.5), 0.5) << "stands beside the way";
+  look(person(0.75));
+  const double gap_m = 0.75 - body_m - margin_m;
+  EXPECT_NEAR(allowed(0.5), gap_m / 0.8 - 0.25, 0.02);
+  look(person(0.45));
+  EXPECT_NEAR(allowed(0.5), 0.45 / 0.8 - 0.22 / 0.8 - 0.25, 0.02);
+  for (int i = 0; i < 8; ++i) look(person(0.45));
+  EXPECT_EQ(allowed(0.5), 0.5) << "has stopped";
+}
+
 TEST_F(CollisionBrakeTest, StandsWithoutAScanOrOdometryThatIsFresh) {
   EXPECT_STREQ(sut_.check({0.3, 0}, now_).reason, "no_scan");
   look({});

@@ -39,6 +39,7 @@ class CollisionBrake {
     WithoutScan without_scan = WithoutScan::stop;
     double crawl_mps = 0.1;
     double covered_sector_deg = 60;
+    double walking_mps = 0.8;
     double bypass_s = 10;
     template <class Visitor>
     void visit(Visitor& v) {
@@ -53,6 +54,8 @@ class CollisionBrake {
       v("crawl_mps", crawl_mps, {0.02, 0.3}, "[m/s] of `crawl`");
       v("covered_sector_deg", covered_sector_deg, {10, 360},
         "[deg] so wide a part of the turn that loses all returns at once is covered");
+      v("walking_mps", walking_mps, {0, 3},
+        "[m/s] at which what moves may come into the way; 0: it is taken for standing");
       v("bypass_s", bypass_s, {1, 60}, "[s] it is off after a person has asked for that");
     }
   };
@@ -88,6 +91,9 @@ class CollisionBrake {
   /// [m/s] on the arc of this velocity.
   [[nodiscard]] double allowed_mps(const geometry::Twist& arc) const;
   [[nodiscard]] double free_way_m(const laser::Points& points, const geometry::Twist& arc) const;
+  void find_walkers(const laser::Scan& scan, const geometry::Pose& pose, Time now);
+  void note_reach(const laser::Scan& scan);
+  [[nodiscard]] double allowed_by_walkers_mps(const geometry::Twist& arc) const;
   void look_for_sectors(const laser::Scan& scan);
   void find_covered(const Sectors& has_return);
 
@@ -105,6 +111,14 @@ class CollisionBrake {
   Sectors is_seen_{};
   Sectors had_return_{};  ///< in the last scan
   Sectors is_covered_{};
+  static constexpr std::size_t degrees = 360;
+  struct Walker {
+    geometry::Point at;  ///< standing frame
+    Time seen;
+  };
+  std::vector<Walker> walkers_;
+  std::array<double, degrees> reach_{};  ///< [m] of the last scan by bearing, frame of the vehicle
+  geometry::Point scan_laser_;
   Time bypassed_until_ = Time::min();
 };
 
