@@ -91,11 +91,14 @@ TEST_F(SimulationTest, MissionAIsDoneAndRecordedOnBothSides) {
 }
 
 TEST_F(SimulationTest, TheVehicleDrivesPastWhatNoMapShowsAndKnowsWhereItIs) {
-  const Simulated run = sim("obstacles.yaml --seed 1");
+  const Simulated run = sim("obstacles.yaml --seed 1 --set 'recorder.topics=[\"events/*\"]'");
   EXPECT_EQ(run.code, 0) << run.output;
   EXPECT_THAT(read("errors"), HasSubstr("mission mission_a: done"));
   EXPECT_THAT(read("errors"), HasSubstr("[localiser] tracked"));
   EXPECT_THAT(read("errors"), Not(HasSubstr("[localiser] lost")));
+  const std::string messages = recorded_messages(folder_ + "/1/uxv");
+  EXPECT_NE(messages.find(",events/robot_state,"), std::string::npos);
+  EXPECT_EQ(messages.find(",events/bumper,"), std::string::npos) << "it bumps into nobody";
 }
 
 TEST_F(SimulationTest, TheVehicleOutlivesFaultsOfItsLaserItsWheelsAndAHandThatCarriesItOff) {
