@@ -49,7 +49,6 @@ TEST(TopicLists, WhatRos2sToolsLookForHasItsNameAndType) {
                                    "geometry_msgs::msg::dds_::PoseWithCovarianceStamped_");
   expect_topic<topic::ParticleCloud>("particle_cloud", "nav2_msgs::msg::dds_::ParticleCloud_");
   expect_topic<topic::Plan>("plan", "nav_msgs::msg::dds_::Path_");
-  expect_topic<topic::LocalCostmap>("local_costmap/costmap", "nav_msgs::msg::dds_::OccupancyGrid_");
   expect_topic<topic::CollisionMonitorState>("collision_monitor_state",
                                              "nav2_msgs::msg::dds_::CollisionMonitorState_");
   expect_topic<topic::MapUpdates>("map_updates", "map_msgs::msg::dds_::OccupancyGridUpdate_");

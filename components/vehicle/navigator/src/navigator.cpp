@@ -180,6 +180,7 @@ Navigator::Output Navigator::drive_path(const Target& target, Time now, Duration
     if (!path) return block(now, "no_path");
     follower_.start(std::move(*path));
     has_path_ = true;
+    ++plans_;
     blocked_since_.reset();
   }
   if (is_stuck(now)) return block(now, "stuck");

@@ -59,6 +59,7 @@ void NavigatorComponent::tick(Time now) {
     action_.follow(output, now);
     latest_ = output.status;
     report_status(output.status, now);
+    report_plan(now);
   }
   remember(now);
   wake_at(std::min(next_turn_, emergency_stop_.deadline()));
@@ -168,6 +169,21 @@ void NavigatorComponent::report_status(const Navigator::Status& status, Time now
   if (has_changed) log_change(status);
   reported_ = status;
   next_status_ = next_instant(seconds(params_.status_period_s), now);
+}
+
+void NavigatorComponent::report_plan(Time now) {
+  if (navigator_.plans() == plans_ || !plan_.wanted()) return;
+  plans_ = navigator_.plans();
+  topic::Plan::Message message;
+  message.header().stamp(wall(now));
+  message.header().frame_id("map");
+  for (const geometry::Point& corner : navigator_.path()) {
+    geometry_msgs::msg::PoseStamped stamped;
+    stamped.header(message.header());
+    stamped.pose(geometry::pose_message<geometry_msgs::msg::Pose>({corner.x_m, corner.y_m, 0}));
+    message.poses().push_back(stamped);
+  }
+  if (plan_.write(std::move(message)) == Status::failed) log().warn("a plan was not sent");
 }
 
 void NavigatorComponent::log_change(const Navigator::Status& status) {

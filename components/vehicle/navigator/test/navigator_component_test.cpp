@@ -24,6 +24,19 @@ TEST_F(NavigatorComponentTest, DrivesToAGoal) {
   EXPECT_NEAR(odom_.x_m, 3, 0.2);
 }
 
+TEST_F(NavigatorComponentTest, TellsItsPlanOnceToWhoReads) {
+  SimReader<topic::Plan> plans(bus_);
+  run(0.2);
+  send_goal(5, 2);
+  run(2);
+  const auto all = plans.take();
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all[0].header().frame_id(), "map");
+  ASSERT_GE(all[0].poses().size(), 2U);
+  EXPECT_NEAR(all[0].poses().front().pose().position().x(), -1, 0.1);
+  EXPECT_NEAR(all[0].poses().back().pose().position().x(), 2, 0.1);
+}
+
 TEST_F(NavigatorComponentTest, CommandsAtItsRateHoweverOftenAPoseComes) {
   bus_.add(*sut_);
   send_goal(5, 2);

@@ -209,11 +209,6 @@ struct Plan {
   using Message = nav_msgs::msg::Path;
   static constexpr TopicInfo info{"plan", "state", Scope::host};
 };
-/// Cost of the cells round the vehicle, 0 to 100, frame map.
-struct LocalCostmap {
-  using Message = nav_msgs::msg::OccupancyGrid;
-  static constexpr TopicInfo info{"local_costmap/costmap", "state", Scope::host};
-};
 /// What the collision brake does with the velocity, whenever it changes.
 struct CollisionMonitorState {
   using Message = nav2_msgs::msg::CollisionMonitorState;
@@ -323,7 +318,7 @@ using AllHostTopics =
          CmdVelDocking, CmdVelTeleop, CmdVelSelected, CmdVelChecked, CmdVelSmoothed, MuxActive,
          MuxInputs, MuxSetInputs, CollisionBrakeBypass, SafetyEnable, EmergencyStop, LinkStop,
          EmergencyStopRequest, EmergencyStopState, MissionPath, MissionCommand, Map, MapUpdates,
-         ExploreStatus, AmclPose, ParticleCloud, Plan, LocalCostmap, CollisionMonitorState,
-         LinkBudget, LogRequest, ContainerState>;
+         ExploreStatus, AmclPose, ParticleCloud, Plan, CollisionMonitorState, LinkBudget,
+         LogRequest, ContainerState>;
 
 }  // namespace tocsin::topic

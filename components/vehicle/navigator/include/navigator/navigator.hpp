@@ -112,6 +112,10 @@ class Navigator {
   /// The ground station was heard. Until it was heard once, the link does not count as lost.
   void on_ground_station(Time now) { heard_ = now; }
 
+  /// The way that it follows, empty without one; `plans` rises with each new one.
+  [[nodiscard]] const geometry::Path& path() const { return follower_.path(); }
+  [[nodiscard]] std::uint64_t plans() const { return plans_; }
+
   /// The velocity to drive from now on. To be called 10 to 50 times a second.
   [[nodiscard]] Output update(Time now);
 
@@ -158,6 +162,7 @@ class Navigator {
   // About the target being driven to.
   std::optional<std::uint64_t> target_key_;
   bool has_path_ = false;
+  std::uint64_t plans_ = 0;
   bool arrived_ = false;  // near enough, perhaps still turning
   bool reached_ = false;
   std::optional<Time> blocked_since_;

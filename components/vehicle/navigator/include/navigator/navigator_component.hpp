@@ -74,6 +74,7 @@ class NavigatorComponent final : public Component {
   void report_location(Time now);
   void report_status(const Navigator::Status& status, Time now);
   void log_change(const Navigator::Status& status);
+  void report_plan(Time now);
   void remember(Time now);
 
   Input<topic::Odom> odom_{*this, WakeMode::time_triggered};
@@ -83,6 +84,7 @@ class NavigatorComponent final : public Component {
   Output<topic::CmdVelNavigation> cmd_vel_{*this};
   Output<topic::Location> location_{*this};
   Output<topic::NavigationStatus> status_{*this};
+  Output<topic::Plan> plan_{*this};
 
   std::optional<OptionalInput<topic::AmclPose>> amcl_pose_;  ///< where a localiser tells the pose
   std::optional<ObstacleInputs> obstacles_;                  ///< where they are avoided
@@ -99,6 +101,7 @@ class NavigatorComponent final : public Component {
   Time next_status_{};
   Time next_save_{};
   bool is_saved_ = true;
+  std::uint64_t plans_ = 0;  // that were published
   Navigator::Status latest_;
   Navigator::Status reported_;
   bool is_standing_ = false;  // the last command was to stand, and has been sent
