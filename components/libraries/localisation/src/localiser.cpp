@@ -32,6 +32,7 @@ constexpr double most_through = 0.1;  // of the beams of a pose that is right
 constexpr double well_explained = 0.75;
 constexpr std::size_t searched_candidates = 200;
 constexpr double smoothing = 0.2;
+constexpr double most_step_m = 1.5;  // of odometry from scan to scan
 
 // Logarithms of what a beam says of a pose.
 constexpr double ends_at_wall = -0.3;
@@ -77,6 +78,7 @@ void Localiser::start_at(const geometry::Pose& pose, double deviation_m, double 
                                       deviation_rad * deviation_rad)
                           .asDiagonal();
   add(belief, 0, {1, 0, 0});
+  hypotheses_.front().is_fresh = true;
 }
 
 void Localiser::start_anywhere() {
@@ -106,10 +108,18 @@ std::optional<Localiser::Estimate> Localiser::update(const laser::Scan& scan,
   return estimate();
 }
 
+/// Odometry has begun anew: the vehicle is about where it was.
+void Localiser::stay() {
+  for (Hypothesis& hypothesis : hypotheses_) {
+    hypothesis.belief.covariance.diagonal() += Eigen::Vector3d(0.1, 0.1, 0.1);
+  }
+}
+
 void Localiser::move(const geometry::Pose& odom) {
   const geometry::Pose step = odom_ ? compose(inverse(*odom_), odom) : geometry::Pose{};
   odom_ = odom;
   const double way_m = std::hypot(step.x_m, step.y_m);
+  if (way_m > most_step_m) return stay();
   const double turn_rad = std::abs(geometry::wrap_angle(step.heading_rad));
   const double moved = way_m + turn_rad / 2;
   moved_ += moved;
@@ -180,8 +190,9 @@ void Localiser::weigh(const laser::Scan& scan) {
   if (counts) moved_ = 0;
   for (Hypothesis& hypothesis : hypotheses_) {
     const Evidence evidence = evidence_of(scan, hypothesis.belief.pose);
-    hypothesis.explained += smoothing * (evidence.explained - hypothesis.explained);
-    hypothesis.through += smoothing * (evidence.through - hypothesis.through);
+    const double share = std::exchange(hypothesis.is_fresh, false) ? 1 : smoothing;
+    hypothesis.explained += share * (evidence.explained - hypothesis.explained);
+    hypothesis.through += share * (evidence.through - hypothesis.through);
     if (!counts) continue;
     hypothesis.evidence = fading * hypothesis.evidence + witnesses * evidence.log_likelihood;
   }
@@ -227,7 +238,7 @@ void Localiser::add(const Belief& belief, double evidence, const Evidence& seen)
   for (const Hypothesis& known : hypotheses_) {
     if (apart(known.belief.pose, belief.pose) < 1) return;
   }
-  hypotheses_.push_back({belief, evidence, seen.explained, seen.through, 0});
+  hypotheses_.push_back({belief, evidence, seen.explained, seen.through, 0, false});
 }
 
 void Localiser::prune() {

@@ -147,6 +147,19 @@ TEST_F(LocaliserTest, WheelsThatTurnInVainDoNotMoveIt) {
   EXPECT_LT(off_m(run(5)), 0.15);
 }
 
+TEST_F(LocaliserTest, OdometryThatBeginsAnewDoesNotMoveIt) {
+  sut.start_at(truth_, 0.1, 0.05);
+  (void)run(30);
+  odom_ = {};
+  EXPECT_LT(off_m(*step()), 0.1);
+  EXPECT_LT(off_m(run(20)), 0.05);
+}
+
+TEST_F(LocaliserTest, IsNotSureOfAStartThatDoesNotFit) {
+  sut.start_at({6.5, 4.5, 2}, 0.1, 0.05);
+  EXPECT_NE(step()->health, Health::tracked);
+}
+
 TEST_F(TwinsTest, RoomsThatAreAlikeStayTwoHypotheses) {
   sut.start_anywhere();
   for (int i = 0; i < 300; ++i) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -27,7 +28,12 @@ constexpr double start_deviation_rad = 0.2;
 
 navigation::OccupancyMap map_of(const std::string& name, const std::string& file) {
   if (file.empty()) throw ConfigError(name + ".map_file: is required");
-  return navigation::load_map(file);
+  navigation::OccupancyMap map = navigation::load_map(file);
+  const auto& cells = map.cells();
+  if (std::find(cells.begin(), cells.end(), navigation::Cell::free) == cells.end()) {
+    throw ConfigError(file + ": no cell of the map is free");
+  }
+  return map;
 }
 
 geometry::Pose inverse(const geometry::Pose& pose) {

@@ -7,6 +7,7 @@ namespace tocsin {
 namespace {
 
 constexpr double most_deviation_m = 0.5;
+constexpr double most_step_m = 0.5;  // of odometry from message to message
 
 geometry::Pose inverse(const geometry::Pose& pose) {
   const double c = std::cos(pose.heading_rad);
@@ -18,13 +19,18 @@ geometry::Pose inverse(const geometry::Pose& pose) {
 
 void LocaliserPose::on_odometry(std::int64_t stamp_ns, const geometry::Pose& odom) {
   if (!is_finite(odom)) return;
+  const bool has_jumped = odom_ && distance(position(*odom_), position(odom)) > most_step_m;
+  if (has_jumped) {  // a driver that began anew
+    odometry_.clear();
+    sure_.reset();
+  }
   odometry_.add(stamp_ns, odom);
   odom_ = odom;
 }
 
 void LocaliserPose::on_localiser(std::int64_t stamp_ns, const geometry::Pose& pose,
                                  double deviation_m, Time now) {
-  if (!is_finite(pose) || !(deviation_m <= most_deviation_m)) return;
+  if (!is_finite(pose) || !(deviation_m <= most_deviation_m)) return sure_.reset();
   const auto odom = odometry_.at(stamp_ns);
   if (!odom) return;
   map_from_odom_ = compose(pose, inverse(*odom));

@@ -15,12 +15,12 @@ TEST(LocaliserPose, IsWhereTheLocaliserSaidAndOdometrySince) {
   const Time now = Time{} + seconds(100);
   sut.on_odometry(1000 * ms, {1, 0, 0});
   EXPECT_FALSE(sut.pose(now));
-  sut.on_odometry(1100 * ms, {2, 0, 0});
+  sut.on_odometry(1100 * ms, {1.4, 0, 0});
   sut.on_localiser(1000 * ms, {5, 5, pi / 2}, 0.1, now);
   const auto pose = sut.pose(now);
   ASSERT_TRUE(pose);
   EXPECT_NEAR(pose->x_m, 5, 1e-9);
-  EXPECT_NEAR(pose->y_m, 6, 1e-9);
+  EXPECT_NEAR(pose->y_m, 5.4, 1e-9);
   EXPECT_TRUE(sut.pose(now + seconds(2)));
   EXPECT_FALSE(sut.pose(now + seconds(2.1))) << "silent";
 }
@@ -39,6 +39,21 @@ TEST(LocaliserPose, APoseThatIsNotSureOrHasNoOdometryDoesNotCount) {
   EXPECT_FALSE(sut.pose(now));
   sut.on_odometry(1100 * ms, {nan, 0, 0});
   sut.on_localiser(1000 * ms, {5, 5, 0}, 0.1, now);
+  EXPECT_TRUE(sut.pose(now));
+  sut.on_localiser(1000 * ms, {5, 5, 0}, 0.6, now);
+  EXPECT_FALSE(sut.pose(now)) << "sure no more";
+}
+
+TEST(LocaliserPose, OdometryThatJumpsWaitsForTheLocaliser) {
+  LocaliserPose sut{seconds(2)};
+  const Time now = Time{} + seconds(100);
+  sut.on_odometry(1000 * ms, {3, 0, 0});
+  sut.on_localiser(1000 * ms, {5, 5, 0}, 0.1, now);
+  sut.on_odometry(1020 * ms, {0, 0, 0});
+  EXPECT_FALSE(sut.pose(now));
+  sut.on_localiser(1000 * ms, {5, 5, 0}, 0.1, now);
+  EXPECT_FALSE(sut.pose(now)) << "of before the jump";
+  sut.on_localiser(1020 * ms, {5, 5, 0}, 0.1, now);
   EXPECT_TRUE(sut.pose(now));
 }
 
@@ -78,7 +93,7 @@ TEST_F(LocalisedNavigatorTest, DrivesByItsLocaliserAndStandsWhileThatIsNotSure) 
   drive(2);
   EXPECT_EQ(status_.state(), "driving");
   variance_m2_ = 1;
-  drive(4);
+  drive(0.8);
   EXPECT_EQ(status_.state(), "held");
   EXPECT_EQ(command_.linear().x(), 0);
   variance_m2_ = 0.001;

@@ -46,10 +46,11 @@ class Localiser {
  public:
   struct Hypothesis {
     Belief belief;
-    double evidence = 0;   ///< logarithm of its weight
-    double explained = 1;  ///< share of beams that end at walls, smoothed over a second or so
-    double through = 0;    ///< share of beams that end behind walls, likewise
-    double weight = 0;     ///< [range 0,1] of all hypotheses together
+    double evidence = 0;    ///< logarithm of its weight
+    double explained = 1;   ///< share of beams that end at walls, smoothed over a second or so
+    double through = 0;     ///< share of beams that end behind walls, likewise
+    double weight = 0;      ///< [range 0,1] of all hypotheses together
+    bool is_fresh = false;  ///< no scan has been seen from it yet
   };
   struct Estimate {
     Belief belief;  ///< of the likeliest hypothesis; its covariance tells of the others, too; at
@@ -75,6 +76,7 @@ class Localiser {
     double through = 0;
     double log_likelihood = 0;  ///< mean of the beams
   };
+  void stay();
   void move(const geometry::Pose& odom);
   void settle(Hypothesis& hypothesis, const laser::Points& hits);
   [[nodiscard]] Evidence evidence_of(const laser::Scan& scan, const geometry::Pose& pose) const;

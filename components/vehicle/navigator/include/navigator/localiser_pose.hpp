@@ -16,7 +16,7 @@ class LocaliserPose {
  public:
   explicit LocaliserPose(Duration timeout) : timeout_(timeout) {}
 
-  /// `stamp_ns`: of the messages, since the Unix epoch.
+  /// `stamp_ns`: of the messages, since the Unix epoch. After a jump the localiser must speak anew.
   void on_odometry(std::int64_t stamp_ns, const geometry::Pose& odom);
   /// `deviation_m` of the pose: one that is not known to half a metre does not count.
   void on_localiser(std::int64_t stamp_ns, const geometry::Pose& pose, double deviation_m,
