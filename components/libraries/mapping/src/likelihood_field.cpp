@@ -9,7 +9,7 @@ namespace {
 
 using geometry::Point;
 
-constexpr int places = 4;           // of a point within its cell, along each axis
+constexpr int places = LikelihoodField::places;
 constexpr int field_margin = 64;    // by which a field that must grow grows more than it must
 constexpr double kernel_reach = 3;  // [sigma]
 

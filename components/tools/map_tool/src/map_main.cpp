@@ -46,7 +46,7 @@ void tell(const Replay& replay, double took_s) {
   std::printf("%zu scans in %.1f s (%.1f ms each); %zu used, %zu submaps, %zu loops\n",
               replay.scans(), took_s,
               1e3 * took_s / static_cast<double>(std::max<std::size_t>(1, replay.scans())),
-              mapper.nodes().size(), mapper.local().submaps().size(), mapper.loops());
+              mapper.nodes().size(), mapper.global().submaps().size(), mapper.global().loops());
 }
 
 int replay_log(const Options& options) {

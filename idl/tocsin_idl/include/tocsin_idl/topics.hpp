@@ -189,6 +189,11 @@ struct MapUpdates {
   using Message = map_msgs::msg::OccupancyGridUpdate;
   static constexpr TopicInfo info{"map_updates", "event", Scope::host};
 };
+/// The map that the vehicle makes, tile by tile: each that has changed, and all from time to time.
+struct MapTiles {
+  using Message = tocsin_msgs::msg::MapTile;
+  static constexpr TopicInfo info{"map_tiles", "event", Scope::link};
+};
 /// What the explorer does: "idle", "exploring: ...", "waiting: ..." or "done: ..."
 struct ExploreStatus {
   using Message = std_msgs::msg::String;
@@ -308,10 +313,11 @@ struct ContainerState {
   static constexpr TopicInfo info{"container_state", "state", Scope::host};
 };
 
-using AllLinkTopics = List<Location, InitialPose, NetworkQuality, NavigationStatus, BatteryState,
-                           MemoryUsage, CpuLoad, CpuTemperature, CameraImage, Goal, MissionStatus,
-                           SafetyStatus, DockingStatus, TeleopCmdVel, DriverState, DriverRequest,
-                           DockingCommand, Heartbeat, TransmissionState, TrafficReport, LinkState>;
+using AllLinkTopics =
+    List<Location, InitialPose, NetworkQuality, NavigationStatus, BatteryState, MemoryUsage,
+         CpuLoad, CpuTemperature, CameraImage, MapTiles, Goal, MissionStatus, SafetyStatus,
+         DockingStatus, TeleopCmdVel, DriverState, DriverRequest, DockingCommand, Heartbeat,
+         TransmissionState, TrafficReport, LinkState>;
 
 using AllHostTopics =
     List<CmdVel, Odom, JointStates, Imu, Tf, TfStatic, Scan, Diagnostics, CmdVelNavigation,

@@ -22,6 +22,8 @@ class LikelihoodField {
     double slope_y_per_m = 0;
   };
 
+  static constexpr int places = 4;  ///< of a point within its cell, along each axis
+
   LikelihoodField(double resolution_m, double sigma_m);
 
   /// Adds points, given in the frame of the field.

@@ -22,50 +22,57 @@ struct LocalParams {
   double guess_weight = 0.05;     ///< of SearchParams
 };
 
+/// What became of a scan that was used. Its place among all such scans is its node's index.
+struct LocalStep {
+  geometry::Pose odometry;
+  geometry::Pose pose;  ///< without jumps; drifts
+  Scan scan;
+  bool matched = false;                 ///< odometry alone when not
+  std::vector<Constraint> constraints;  ///< of this node to earlier ones
+  std::vector<Submap> finished;         ///< by this scan
+};
+
 /// Scan to submap: a trajectory without jumps that drifts. Two submaps grow at a time, the younger
-/// one half as old, so that each scan meets a submap that has something to match.
+/// one half as old, so that each scan meets a submap that has something to match. Keeps nothing of
+/// what is finished: its memory and time do not grow with the drive.
 class LocalMapper {
  public:
-  /// A scan that was used.
-  struct Node {
-    geometry::Pose odometry;
-    geometry::Pose pose;  ///< in the frame of the first odometry; drifts
-    Scan scan;
-    Points thin;           ///< its hits, thinned
-    bool matched = false;  ///< odometry alone when not
-  };
+  /// Begins at `start`, in the frame of the poses, with node `first_node`. Without a start that is
+  /// where the odometry is.
+  explicit LocalMapper(const LocalParams& params = {}, std::optional<geometry::Pose> start = {},
+                       std::size_t first_node = 0);
 
-  explicit LocalMapper(const LocalParams& params = {});
+  /// Takes a scan; nothing when the vehicle has not moved enough since the last one.
+  std::optional<LocalStep> on_scan(const geometry::Pose& odometry, Scan scan);
+  /// The submaps that still grow, finished: the log has ended.
+  std::vector<Submap> finish();
+  /// The odometry counts anew: the vehicle is where it was, `odometry` is what it is now.
+  void on_new_odometry(const geometry::Pose& odometry);
 
-  /// Takes a scan; returns the constraints of the node that it became, nothing when the vehicle has
-  /// not moved enough since the last one.
-  std::optional<std::vector<Constraint>> on_scan(const geometry::Pose& odometry, Scan scan);
-  /// Finishes the submaps that still grow: the log has ended.
-  void finish();
-
-  /// Makes all submaps anew, their scans at these poses (one for each node).
-  void rebuild(const std::vector<geometry::Pose>& poses);
-
-  [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
-  /// All submaps in the order of their first nodes; the last two may still grow.
-  [[nodiscard]] const std::deque<Submap>& submaps() const { return submaps_; }
-  /// Where the vehicle is at that odometry, in the frame of the nodes' poses.
+  /// Where the vehicle is at that odometry, in the frame of the poses.
   [[nodiscard]] geometry::Pose pose_at(const geometry::Pose& odometry) const;
 
  private:
+  struct Growing {
+    geometry::Pose first;  ///< pose of its first node
+    Submap submap;
+  };
+  struct Last {
+    geometry::Pose odometry;
+    geometry::Pose pose;
+  };
   [[nodiscard]] bool has_moved(const geometry::Pose& odometry) const;
-  [[nodiscard]] Match match(const Submap& submap, const Node& node,
+  [[nodiscard]] Match match(const Growing& target, const Points& thin, const geometry::Pose& pose,
                             const geometry::Pose& step) const;
-  void place(Node& node, std::vector<Constraint>& constraints);
-  void insert(const Node& node);
-  /// The oldest submap that grows.
-  [[nodiscard]] const Submap& target() const;
-  [[nodiscard]] geometry::Pose in_submap(const Submap& submap, const geometry::Pose& pose) const;
+  void place(LocalStep& node);
+  void insert(LocalStep& node);
 
   LocalParams params_;
   OdometryModel odometry_;
-  std::vector<Node> nodes_;
-  std::deque<Submap> submaps_;
+  std::optional<geometry::Pose> start_;
+  std::size_t next_node_;
+  std::optional<Last> last_;
+  std::deque<Growing> growing_;  ///< the oldest first
 };
 
 }  // namespace tocsin::mapping

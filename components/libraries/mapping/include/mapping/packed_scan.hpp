@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "laser_geometry/scan.hpp"
+
+namespace tocsin::mapping {
+
+/// A scan in half of its memory: coordinates are kept to about a micrometre.
+class PackedScan {
+ public:
+  PackedScan() = default;
+  explicit PackedScan(const laser::Scan& scan);
+
+  [[nodiscard]] laser::Scan unpacked() const;
+  [[nodiscard]] laser::Points hits() const { return points(hits_); }
+
+  /// Visits laser, hits and misses as vectors of x and y in turn [m], frame of the vehicle.
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v(laser_);
+    v(hits_);
+    v(misses_);
+  }
+
+ private:
+  using Values = std::vector<float>;
+  [[nodiscard]] static Values packed(const laser::Points& points);
+  [[nodiscard]] static laser::Points points(const Values& values);
+  Values laser_{0, 0};
+  Values hits_;
+  Values misses_;
+};
+
+}  // namespace tocsin::mapping
