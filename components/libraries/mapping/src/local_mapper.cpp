@@ -27,8 +27,8 @@ Pose LocalMapper::pose_at(const Pose& odometry) const {
   return compose(last_->pose, odometry_.corrected(relative(last_->odometry, odometry)));
 }
 
-void LocalMapper::on_new_odometry(const Pose& odometry) {
-  if (last_) last_->odometry = odometry;
+void LocalMapper::on_new_odometry(const Pose& before, const Pose& now) {
+  if (last_) last_->odometry = compose(now, inverse(relative(last_->odometry, before)));
 }
 
 std::optional<LocalStep> LocalMapper::on_scan(const Pose& odometry, Scan scan) {

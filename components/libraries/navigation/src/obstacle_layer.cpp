@@ -39,6 +39,23 @@ int index_of(double from_edge_m, const Grid& grid, int count) {
 ObstacleLayer::ObstacleLayer(OccupancyMap map, const ObstacleParams& params)
     : map_(std::move(map)), params_(params), is_marked_(map_.grid().size(), 0) {}
 
+void ObstacleLayer::set_map(OccupancyMap map) {
+  const std::map<std::size_t, Mark> before = std::exchange(marks_, {});
+  const Grid grid = map_.grid();
+  map_ = std::move(map);
+  is_marked_.assign(map_.grid().size(), 0);
+  for (const auto& [offset, mark] : before) {
+    const int width = grid.width;
+    const CellIndex was{static_cast<int>(offset % static_cast<std::size_t>(width)),
+                        static_cast<int>(offset / static_cast<std::size_t>(width))};
+    const auto cell = map_.grid().cell_of(grid.centre(was));
+    if (!cell || map_.at(*cell) == Cell::occupied) continue;
+    marks_[map_.grid().offset(*cell)] = mark;
+    is_marked_[map_.grid().offset(*cell)] = 1;
+  }
+  ++version_;
+}
+
 void ObstacleLayer::on_scan(const laser::Scan& scan, const geometry::Pose& pose, Time now) {
   const laser::Points from = laser::transformed({scan.laser}, pose);
   const laser::Points hits = laser::transformed(scan.hits, pose);

@@ -3,7 +3,6 @@
 
 #include <utility>
 
-#include "foundation/error.hpp"
 #include "navigation/map_loader.hpp"
 #include "runtime/component_entry.hpp"
 
@@ -11,39 +10,9 @@ namespace tocsin {
 namespace {
 
 constexpr Duration try_again = std::chrono::seconds(1);
-
-navigation::OccupancyMap load(const std::string& name, const std::string& map_file) {
-  if (map_file.empty()) throw ConfigError(name + ".map_file: is required");
-  return navigation::load_map(map_file);
-}
-
-/// Occupancy of a cell [%] as map_server tells it in mode trinary; -1 is unknown.
-std::int8_t occupancy(navigation::Cell cell) {
-  switch (cell) {
-    case navigation::Cell::free:
-      return 0;
-    case navigation::Cell::occupied:
-      return 100;
-    case navigation::Cell::unknown:
-      return -1;
-  }
-  return -1;
-}
-
-topic::Map::Message message_of(const navigation::OccupancyMap& map) {
-  topic::Map::Message message;
-  message.header().frame_id("map");
-  const navigation::Grid& grid = map.grid();
-  message.info().resolution(static_cast<float>(grid.resolution_m));
-  message.info().width(static_cast<std::uint32_t>(grid.width));
-  message.info().height(static_cast<std::uint32_t>(grid.height));
-  message.info().origin().position().x(grid.origin.x_m);
-  message.info().origin().position().y(grid.origin.y_m);
-  message.info().origin().orientation().w(1);
-  message.data().reserve(grid.size());
-  for (const navigation::Cell cell : map.cells()) message.data().push_back(occupancy(cell));
-  return message;
-}
+constexpr double default_resolution_m = 0.05;
+constexpr double least_resolution_m = 0.01;
+constexpr double most_resolution_m = 1;
 
 topic::Tf::Message transform_of(const topic::Location::Message& location,
                                 const std::string& vehicle_frame) {
@@ -63,10 +32,19 @@ topic::Tf::Message transform_of(const topic::Location::Message& location,
 }  // namespace
 
 MapServerComponent::MapServerComponent(Context& context, const Params& params)
-    : Component(context), params_(params), content_(load(context.name, params.map_file)) {}
+    : Component(context), params_(params), map_(*this, default_resolution_m) {
+  if (params.map_file.empty()) {
+    tiles_.emplace(*this);
+  } else {
+    file_ = navigation::load_map(params.map_file);
+  }
+}
 
 void MapServerComponent::tick(Time now) {
-  publish_map(now);
+  publish_file(now);
+  while (const auto tile = tiles_ ? tiles_->take() : nullptr) take_tile(*tile);
+  map_.publish(wall(now), now);
+  wake_at(map_.deadline());
   while (const auto location = location_.take()) {
     if (params_.vehicle_frame.empty()) continue;
     // A lost one is replaced by the next.
@@ -74,13 +52,48 @@ void MapServerComponent::tick(Time now) {
   }
 }
 
-void MapServerComponent::publish_map(Time now) {
-  if (sent_) return;
-  topic::Map::Message message = message_of(content_);
-  message.header().stamp(wall(now));
-  message.info().map_load_time(wall(now));
-  sent_ = map_.write(std::move(message)) != Status::failed;
-  if (!sent_) wake_at(now + try_again);
+void MapServerComponent::publish_file(Time now) {
+  if (!file_) return;
+  if (map_.publish_whole(*file_, wall(now))) {
+    file_.reset();
+  } else {
+    wake_at(now + try_again);
+  }
+}
+
+void MapServerComponent::take_tile(const topic::MapTiles::Message& message) {
+  const double resolution_m = message.resolution();
+  if (!(resolution_m >= least_resolution_m && resolution_m <= most_resolution_m)) {
+    return refuse(message, "its resolution is outside [0.01, 1] m");
+  }
+  auto tile = navigation::unpacked_tile(message.cells());
+  if (message.side() != navigation::TileMap::side || !tile) {
+    return refuse(message, "it has not 64 x 64 cells of the codes 0 to 2");
+  }
+  if (!belongs(message)) return;
+  const auto put = map_.put({message.column(), message.row()}, std::move(*tile));
+  if (put == navigation::TileMap::Put::too_large) {
+    refuse(message, "the map would have more than 25 million cells");
+  }
+}
+
+/// A tile of another session may be late. When no other ones come, the vehicle has begun anew.
+bool MapServerComponent::belongs(const topic::MapTiles::Message& message) {
+  constexpr int certain = 3;
+  if (session_ && session_->id == message.session()) {
+    session_->others = 0;
+    return true;
+  }
+  if (session_ && ++session_->others < certain) return false;
+  session_ = Session{message.session(), 0};
+  map_.begin(message.resolution());
+  log().info("map {} of the vehicle begins", message.session());
+  return true;
+}
+
+void MapServerComponent::refuse(const topic::MapTiles::Message& message, const char* reason) {
+  log().warn("tile ({}, {}) of the vehicle's map is refused: {}", message.column(), message.row(),
+             reason);
 }
 
 }  // namespace tocsin

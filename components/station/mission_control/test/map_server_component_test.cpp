@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <memory>
 
 #include "foundation/error.hpp"
@@ -104,11 +105,80 @@ TEST_F(MapServerComponentTest, PublishesNoFrameWhereNoneIsSet) {
   EXPECT_TRUE(transforms_.take().empty());
 }
 
-TEST_F(MapServerComponentTest, RefusesToStartWithoutAMap) {
-  params_.map_file = "";
-  EXPECT_EQ(error_of_start(), "map_server.map_file: is required");
+TEST_F(MapServerComponentTest, RefusesToStartWithoutTheMapThatItIsToldOf) {
   params_.map_file = "/nowhere/m.yaml";
   EXPECT_THAT(error_of_start(), HasSubstr("/nowhere/m.yaml"));
+}
+
+/// Without a file: the map that the vehicle makes.
+class MapServerTilesTest : public MapServerComponentTest {
+ protected:
+  MapServerTilesTest() {
+    params_.map_file = "";
+    start();
+  }
+  static topic::MapTiles::Message tile(int column, navigation::Cell cell, unsigned session = 7) {
+    topic::MapTiles::Message message;
+    message.session(session);
+    message.column(column);
+    message.resolution(0.05F);
+    message.side(64);
+    message.cells(navigation::packed(navigation::TileMap::Tile(64 * 64, cell)));
+    return message;
+  }
+  void send(const topic::MapTiles::Message& message) {
+    bus_.publish<topic::MapTiles>(message);
+    bus_.run_for(seconds(3));
+  }
+  /// Of the newest map that was published.
+  std::size_t cells() {
+    for (const auto& map : maps_.take()) cells_ = map.data().size();
+    return cells_;
+  }
+  SimReader<topic::MapUpdates> updates_{bus_};
+  std::size_t cells_ = 0;
+};
+
+TEST_F(MapServerTilesTest, MakesAMapOfTilesInWhateverOrderTheyCome) {
+  EXPECT_EQ(cells(), 0U);
+  send(tile(2, navigation::Cell::free));
+  send(tile(0, navigation::Cell::occupied));
+  EXPECT_EQ(cells(), 3U * 64 * 64);
+  send(tile(0, navigation::Cell::occupied));
+  EXPECT_EQ(updates_.take().size(), 0U) << "nothing has changed";
+  send(tile(0, navigation::Cell::free));
+  EXPECT_EQ(updates_.take().size(), 1U);
+}
+
+TEST_F(MapServerTilesTest, ALateTileOfAnotherMapIsPassedOverAndAnotherMapBegins) {
+  send(tile(0, navigation::Cell::free));
+  send(tile(1, navigation::Cell::free));
+  EXPECT_EQ(cells(), 2U * 64 * 64);
+  send(tile(5, navigation::Cell::free, 8));
+  send(tile(5, navigation::Cell::free, 8));
+  send(tile(1, navigation::Cell::free));
+  EXPECT_EQ(cells(), 2U * 64 * 64);
+  for (int i = 0; i < 3; ++i) send(tile(5, navigation::Cell::free, 8));
+  EXPECT_EQ(cells(), 64U * 64);
+}
+
+TEST_F(MapServerTilesTest, RefusesTilesThatAreNone) {
+  send(tile(0, navigation::Cell::free));
+  auto bad = tile(1, navigation::Cell::free);
+  bad.resolution(std::numeric_limits<float>::quiet_NaN());
+  send(bad);
+  bad = tile(1, navigation::Cell::free);
+  bad.side(63);
+  send(bad);
+  bad = tile(1, navigation::Cell::free);
+  bad.cells().pop_back();
+  send(bad);
+  bad = tile(1, navigation::Cell::free);
+  bad.cells()[3] = 0xff;
+  send(bad);
+  send(tile(std::numeric_limits<int>::max(), navigation::Cell::free));
+  send(tile(30000, navigation::Cell::free));
+  EXPECT_EQ(cells(), 64U * 64);
 }
 
 }  // namespace

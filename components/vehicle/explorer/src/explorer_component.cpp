@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "explorer/explorer_component.hpp"
 
-#include <cmath>
-#include <limits>
 #include <utility>
 
 #include "geometry/pose_message.hpp"
@@ -13,12 +11,6 @@ namespace {
 
 constexpr Duration answer_time = std::chrono::seconds(2);
 constexpr Duration result_slack = std::chrono::seconds(10);  // after a goal was given up
-constexpr double most_turn_rad = 1e-3;                       // of a map's rows
-
-/// -1: more than an int holds.
-int size_of(std::uint32_t cells) {
-  return cells <= std::uint32_t{std::numeric_limits<int>::max()} ? static_cast<int>(cells) : -1;
-}
 
 std::string reason_of(const action::NavigateToPose::Result* result, const char* otherwise) {
   return result == nullptr || result->error_msg().empty() ? otherwise : result->error_msg();
@@ -31,7 +23,7 @@ ExplorerComponent::ExplorerComponent(Context& context, const Params& params)
 
 void ExplorerComponent::tick(Time now) {
   take_calls();
-  take_map();
+  if (map_.take()) drive_.on_map(*map_.map());
   take_location(now);
   drive_.on_navigator(navigate_.available());
   while (const auto news = navigate_.take(now)) on_news(*news, now);
@@ -48,32 +40,6 @@ void ExplorerComponent::take_calls() {
     response.message(call->request->data() ? "exploring" : "stopped");
     explore_.reply(call->id, std::move(response));
   }
-}
-
-void ExplorerComponent::take_map() {
-  bool has_changed = false;
-  if (const auto map = map_.take_latest()) {
-    const auto origin = geometry::pose_in(map->info().origin());
-    const bool is_turned = !(std::abs(origin.heading_rad) <= most_turn_rad);
-    const std::string reason =
-        is_turned ? "its rows are turned"
-                  : live_map_.replace({size_of(map->info().width()), size_of(map->info().height()),
-                                       map->info().resolution(), position(origin)},
-                                      map->data());
-    if (reason.empty()) has_changed = true;
-    warn_of("a map", reason);
-  }
-  while (const auto tile = updates_.take()) {
-    const std::string reason =
-        live_map_.update({tile->x(), tile->y(), tile->width(), tile->height()}, tile->data());
-    if (reason.empty()) has_changed = true;
-    warn_of("a tile of the map", reason);
-  }
-  if (has_changed) drive_.on_map(*live_map_.map());
-}
-
-void ExplorerComponent::warn_of(const char* what, const std::string& reason) {
-  if (!reason.empty()) log().warn("{} is ignored: {}", what, reason);
 }
 
 void ExplorerComponent::take_location(Time now) {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "foundation/error.hpp"
 #include "foundation/role.hpp"
 #include "geometry/pose_message.hpp"
 #include "navigation/map_loader.hpp"
@@ -15,8 +14,15 @@ namespace tocsin {
 
 namespace {
 
-Navigator make_navigator(const std::string& name, const NavigatorComponent::Params& params) {
-  if (params.map_file.empty()) throw ConfigError(name + ".map_file: is required");
+using navigation::Cell;
+
+constexpr Duration map_period = std::chrono::seconds(1);
+
+Navigator make_navigator(const NavigatorComponent::Params& params) {
+  if (params.map_file.empty()) {
+    // Nothing is known until a map comes.
+    return {params.navigator, navigation::OccupancyMap({1, 1, 0.05, {}}, {Cell::unknown})};
+  }
   return {params.navigator, navigation::load_map(params.map_file),
           navigation::load_costs(params.map_file, params.navigator.inflation)};
 }
@@ -31,11 +37,12 @@ OdometryLocaliser make_localiser(const LocaliserFile& file, const geometry::Pose
 NavigatorComponent::NavigatorComponent(Context& context, const Params& params)
     : Component(context),
       params_(params),
-      navigator_(make_navigator(context.name, params)),
+      navigator_(make_navigator(params)),
       action_(*this, params.pose_goal_timeout_s, params.navigator.follower.speed_mps),
       file_(context.state_path(".pose")),
       localiser_(make_localiser(file_, {params.start_x_m, params.start_y_m, params.start_yaw_rad})),
       localiser_pose_(seconds(params.localiser_timeout_s)) {
+  if (params.map_file.empty()) map_.emplace(*this, WakeMode::time_triggered);
   if (params.localisation == PoseSource::localiser)
     amcl_pose_.emplace(*this, WakeMode::time_triggered);
   if (params.navigator.surroundings.avoid_obstacles) obstacles_.emplace(*this);
@@ -48,6 +55,7 @@ void NavigatorComponent::set_parameters(const Params& params) {
 }
 
 void NavigatorComponent::tick(Time now) {
+  take_map(now);
   take_odometry(now);
   take_localiser(now);
   if (obstacles_) obstacles_->take(navigator_, now);
@@ -63,6 +71,16 @@ void NavigatorComponent::tick(Time now) {
   }
   remember(now);
   wake_at(std::min(next_turn_, emergency_stop_.deadline()));
+}
+
+/// Costs of a whole map take a while.
+void NavigatorComponent::take_map(Time now) {
+  if (!map_) return;
+  has_new_map_ = map_->take() || has_new_map_;
+  if (!has_new_map_ || now < next_map_) return;
+  has_new_map_ = false;
+  next_map_ = now + map_period;
+  navigator_.set_map(*map_->map());
 }
 
 /// Whether a velocity is due: it need not follow each of fifty poses a second.

@@ -21,6 +21,13 @@ Surroundings::Surroundings(const Params& params, const navigation::InflationPara
       planner_(costs_),
       obstacles_(map_, params.obstacles) {}
 
+void Surroundings::set_map(const navigation::OccupancyMap& map) {
+  map_ = map;
+  costs_ = std::make_shared<const navigation::CostMap>(map, inflation_);
+  planner_ = navigation::Planner(costs_);
+  obstacles_.set_map(map);
+}
+
 void Surroundings::on_scan(const laser::Scan& scan, const geometry::Pose& pose, Time now) {
   if (!params_.avoid_obstacles || !is_finite(pose)) return;
   obstacles_.on_scan(scan, pose, now);

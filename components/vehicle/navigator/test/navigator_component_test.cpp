@@ -194,9 +194,37 @@ TEST_F(NavigatorComponentTest, KnowsWhereItIsAfterARestart) {
   EXPECT_NEAR(locations_.take().back().pose().pose().position().x(), 1, 1e-9);
 }
 
-TEST_F(NavigatorComponentTest, RefusesToStartWithoutAMap) {
+TEST_F(NavigatorComponentTest, DrivesOnAMapThatGrows) {
   params_.map_file = "";
-  EXPECT_THROW(start(), ConfigError);
+  start();
+  send_goal(5, 2);
+  run(2);
+  EXPECT_EQ(status_.state(), "blocked") << "nothing is known";
+  topic::Map::Message map;
+  map.info().resolution(0.1F);
+  map.info().width(60);
+  map.info().height(20);
+  map.info().origin().position().x(-3);
+  map.info().origin().position().y(-1);
+  map.info().origin().orientation().w(1);
+  map.data(std::vector<std::int8_t>(1200, 0));
+  bus_.publish<topic::Map>(map);
+  run(10);
+  EXPECT_EQ(status_.state(), "reached");
+
+  // A wall across the way to the next goal.
+  topic::MapUpdates::Message wall;
+  wall.x(20);
+  wall.width(1);
+  wall.height(20);
+  wall.data(std::vector<std::int8_t>(20, 100));
+  bus_.publish<topic::MapUpdates>(wall);
+  send_goal(6, -2);
+  run(5);
+  EXPECT_EQ(status_.state(), "blocked");
+}
+
+TEST_F(NavigatorComponentTest, RefusesToStartWithoutTheMapThatItIsToldOf) {
   params_.map_file = "/nowhere/m.yaml";
   EXPECT_THROW(start(), ConfigError);
 }

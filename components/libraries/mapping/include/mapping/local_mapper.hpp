@@ -46,8 +46,8 @@ class LocalMapper {
   std::optional<LocalStep> on_scan(const geometry::Pose& odometry, Scan scan);
   /// The submaps that still grow, finished: the log has ended.
   std::vector<Submap> finish();
-  /// The odometry counts anew: the vehicle is where it was, `odometry` is what it is now.
-  void on_new_odometry(const geometry::Pose& odometry);
+  /// The odometry counts anew: a vehicle that it had at `before` it has at `now`.
+  void on_new_odometry(const geometry::Pose& before, const geometry::Pose& now);
 
   /// Where the vehicle is at that odometry, in the frame of the poses.
   [[nodiscard]] geometry::Pose pose_at(const geometry::Pose& odometry) const;

@@ -23,6 +23,16 @@ class PackedScan {
     v(hits_);
     v(misses_);
   }
+  template <class Visitor>
+  void visit(Visitor& v) const {
+    v(laser_);
+    v(hits_);
+    v(misses_);
+  }
+  /// False after a visit that has left no place of the laser, or half a point.
+  [[nodiscard]] bool is_whole() const {
+    return laser_.size() == 2 && hits_.size() % 2 == 0 && misses_.size() % 2 == 0;
+  }
 
  private:
   using Values = std::vector<float>;

@@ -39,6 +39,8 @@ class ObstacleLayer {
  public:
   ObstacleLayer(OccupancyMap map, const ObstacleParams& params);
 
+  /// Another map, on whose free cells the marks stay where they are.
+  void set_map(OccupancyMap map);
   /// A turn of the laser, seen by a vehicle at `pose` on the map.
   void on_scan(const laser::Scan& scan, const geometry::Pose& pose, Time now);
   /// Something was touched there, or the floor ends.

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "explorer/exploration_drive.hpp"
-#include "explorer/live_map.hpp"
+#include "map_ports/map_input.hpp"
 #include "ros_idl/std_srvs.hpp"
 #include "runtime/action_port.hpp"
 #include "runtime/component.hpp"
@@ -33,23 +33,19 @@ class ExplorerComponent final : public Component {
  private:
   using Navigate = action::NavigateToPose;
   void take_calls();
-  void take_map();
   void take_location(Time now);
   void on_news(const ActionClient<Navigate>::News& news, Time now);
   void follow(const ExplorationDrive::Order& order, Time now);
   void tell();
-  void warn_of(const char* what, const std::string& reason);
 
   Server<Explore> explore_{*this};
-  Input<topic::Map> map_{*this};
-  OptionalInput<topic::MapUpdates> updates_{*this, WakeMode::time_triggered};
+  MapInput map_{*this};
   Input<topic::Location> location_{*this, WakeMode::time_triggered};
   Output<topic::ExploreStatus> status_{*this};
   ActionClient<Navigate> navigate_{*this};
 
   const Params params_;
   ExplorationDrive drive_;
-  LiveMap live_map_;
   std::optional<GoalId> goal_;
   std::string told_;
 };

@@ -98,6 +98,8 @@ class Navigator {
   void drop_goal(Time now) { goals_.expire(now); }
   /// Whether it has a goal that it has not reached and may still drive to.
   [[nodiscard]] bool is_busy(Time now) const;
+  /// Another map, in the same frame: it has grown. Plans anew.
+  void set_map(const navigation::OccupancyMap& map) { surroundings_.set_map(map); }
   /// Pose of the vehicle in the map frame; one that is not finite is ignored.
   void on_pose(const geometry::Pose& pose, Time now);
   /// A turn of the laser, measured by a vehicle at `pose` in the map frame.

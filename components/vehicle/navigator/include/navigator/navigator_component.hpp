@@ -8,6 +8,7 @@
 #include "emergency_stop_input/emergency_stop_input.hpp"
 #include "geometry/pose.hpp"
 #include "geometry/twist.hpp"
+#include "map_ports/map_input.hpp"
 #include "navigator/localiser_file.hpp"
 #include "navigator/localiser_pose.hpp"
 #include "navigator/navigate_action.hpp"
@@ -40,7 +41,8 @@ class NavigatorComponent final : public Component {
     Navigator::Params navigator;
     template <class Visitor>
     void visit(Visitor& v) {
-      v("map_file", map_file, "map in the format of ROS's map_server (YAML); required");
+      v("map_file", map_file,
+        "map in the format of ROS's map_server (YAML); empty: `map`, which somebody publishes");
       v("start_x_m", start_x_m, {-1e5, 1e5}, "[m] where odometry begins, map frame");
       v("start_y_m", start_y_m, {-1e5, 1e5}, "[m]");
       v("start_yaw_rad", start_yaw_rad, {-7, 7}, "[rad]");
@@ -64,6 +66,7 @@ class NavigatorComponent final : public Component {
 
  private:
   void take_odometry(Time now);
+  void take_map(Time now);
   void take_localiser(Time now);
   [[nodiscard]] std::optional<geometry::Pose> pose_by(const geometry::Pose& odom,
                                                       std::int64_t stamp_ns, Time now);
@@ -86,6 +89,7 @@ class NavigatorComponent final : public Component {
   Output<topic::NavigationStatus> status_{*this};
   Output<topic::Plan> plan_{*this};
 
+  std::optional<MapInput> map_;                              ///< without a file
   std::optional<OptionalInput<topic::AmclPose>> amcl_pose_;  ///< where a localiser tells the pose
   std::optional<ObstacleInputs> obstacles_;                  ///< where they are avoided
 
@@ -96,6 +100,8 @@ class NavigatorComponent final : public Component {
   OdometryLocaliser localiser_;
   LocaliserPose localiser_pose_;
   std::optional<geometry::Pose> pose_;
+  bool has_new_map_ = false;
+  Time next_map_{};
   Time next_turn_{};
   Time next_location_{};
   Time next_status_{};

@@ -38,6 +38,8 @@ class Surroundings {
   Surroundings(const Params& params, const navigation::InflationParams& inflation,
                navigation::OccupancyMap map, std::shared_ptr<const navigation::CostMap> costs);
 
+  /// Another map; a new plan is wanted.
+  void set_map(const navigation::OccupancyMap& map);
   /// A turn of the laser, measured by a vehicle at `pose` (frame map).
   void on_scan(const laser::Scan& scan, const geometry::Pose& pose, Time now);
   /// The vehicle has touched something there, or the floor ends.

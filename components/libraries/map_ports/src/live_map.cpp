@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "explorer/live_map.hpp"
+#include "map_ports/live_map.hpp"
 
 #include <cmath>
 

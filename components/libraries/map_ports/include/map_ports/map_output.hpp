@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <set>
+
+#include "navigation/occupancy_map.hpp"
+#include "navigation/tile_map.hpp"
+#include "runtime/component.hpp"
+#include "runtime/port.hpp"
+#include "tocsin_idl/topics.hpp"
+
+namespace tocsin {
+
+/// The message of a map: occupancies [%] as map_server tells them in mode trinary, frame map.
+[[nodiscard]] topic::Map::Message map_message(const navigation::OccupancyMap& map);
+
+/// Member of a component that publishes a map, mostly as it grows: its ports `map`, whole whenever
+/// its borders move, and `map_updates`, tiles that have changed since. Used by the component's
+/// thread.
+class MapOutput {
+ public:
+  MapOutput(Component& owner, double resolution_m);
+
+  /// Takes a tile; Put::too_large: it is refused.
+  navigation::TileMap::Put put(navigation::TileMap::Index index, navigation::TileMap::Tile tile);
+  /// Publishes a map that does not grow; false: try again.
+  [[nodiscard]] bool publish_whole(const navigation::OccupancyMap& map,
+                                   const builtin_interfaces::msg::Time& stamp);
+  /// Forgets the map: another one begins.
+  void begin(double resolution_m);
+  /// Publishes what has changed, at most once in half a second, the whole map in two seconds.
+  void publish(const builtin_interfaces::msg::Time& stamp, Time now);
+  /// When it is to be called again; Time::max() when nothing waits.
+  [[nodiscard]] Time deadline() const { return changed_.empty() ? Time::max() : next_; }
+  [[nodiscard]] const navigation::TileMap& tiles() const { return tiles_; }
+
+ private:
+  void publish_grown(const builtin_interfaces::msg::Time& stamp, Time now);
+  void publish_tile(navigation::TileMap::Index index, const builtin_interfaces::msg::Time& stamp);
+
+  Output<topic::Map> map_;
+  Output<topic::MapUpdates> updates_;
+  navigation::TileMap tiles_;
+  std::set<navigation::TileMap::Index> changed_;
+  navigation::Grid published_;  // whole
+  Time next_{};
+  Time next_whole_{};
+};
+
+}  // namespace tocsin

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "map_ports/map_output.hpp"
+
+#include <chrono>
+#include <utility>
+
+namespace tocsin {
+namespace {
+
+using navigation::Cell;
+using navigation::TileMap;
+
+constexpr Duration update_period = std::chrono::milliseconds(500);
+constexpr Duration whole_period = std::chrono::seconds(2);
+
+std::int8_t occupancy(Cell cell) {
+  switch (cell) {
+    case Cell::free:
+      return 0;
+    case Cell::occupied:
+      return 100;
+    case Cell::unknown:
+      return -1;
+  }
+  return -1;
+}
+
+bool is_same_place(const navigation::Grid& a, const navigation::Grid& b) {
+  return a.width == b.width && a.height == b.height && a.resolution_m == b.resolution_m &&
+         a.origin.x_m == b.origin.x_m && a.origin.y_m == b.origin.y_m;
+}
+
+}  // namespace
+
+topic::Map::Message map_message(const navigation::OccupancyMap& map) {
+  topic::Map::Message message;
+  message.header().frame_id("map");
+  const navigation::Grid& grid = map.grid();
+  message.info().resolution(static_cast<float>(grid.resolution_m));
+  message.info().width(static_cast<std::uint32_t>(grid.width));
+  message.info().height(static_cast<std::uint32_t>(grid.height));
+  message.info().origin().position().x(grid.origin.x_m);
+  message.info().origin().position().y(grid.origin.y_m);
+  message.info().origin().orientation().w(1);
+  message.data().reserve(grid.size());
+  for (const Cell cell : map.cells()) message.data().push_back(occupancy(cell));
+  return message;
+}
+
+MapOutput::MapOutput(Component& owner, double resolution_m)
+    : map_(owner), updates_(owner), tiles_(resolution_m) {}
+
+TileMap::Put MapOutput::put(TileMap::Index index, TileMap::Tile tile) {
+  const TileMap::Put put = tiles_.put(index, std::move(tile));
+  if (put == TileMap::Put::changed) changed_.insert(index);
+  return put;
+}
+
+void MapOutput::begin(double resolution_m) {
+  tiles_ = TileMap(resolution_m);
+  changed_.clear();
+  published_ = {};
+}
+
+void MapOutput::publish(const builtin_interfaces::msg::Time& stamp, Time now) {
+  if (changed_.empty() || now < next_) return;
+  next_ = now + update_period;
+  if (!is_same_place(published_, tiles_.grid())) return publish_grown(stamp, now);
+  for (const TileMap::Index index : std::exchange(changed_, {})) publish_tile(index, stamp);
+}
+
+bool MapOutput::publish_whole(const navigation::OccupancyMap& map,
+                              const builtin_interfaces::msg::Time& stamp) {
+  topic::Map::Message message = map_message(map);
+  message.header().stamp(stamp);
+  message.info().map_load_time(stamp);
+  return map_.write(std::move(message)) != Status::failed;
+}
+
+void MapOutput::publish_grown(const builtin_interfaces::msg::Time& stamp, Time now) {
+  if (now < next_whole_) {
+    next_ = next_whole_;
+    return;
+  }
+  next_whole_ = now + whole_period;
+  if (!publish_whole(tiles_.map(), stamp)) return;
+  published_ = tiles_.grid();
+  changed_.clear();
+}
+
+void MapOutput::publish_tile(TileMap::Index index, const builtin_interfaces::msg::Time& stamp) {
+  const navigation::CellIndex corner = tiles_.corner_of(index);
+  topic::MapUpdates::Message message;
+  message.header().stamp(stamp);
+  message.header().frame_id("map");
+  message.x(corner.column);
+  message.y(corner.row);
+  message.width(TileMap::side);
+  message.height(TileMap::side);
+  for (const Cell cell : tiles_.tiles().at(index)) message.data().push_back(occupancy(cell));
+  if (updates_.write(std::move(message)) == Status::failed) changed_.insert(index);
+}
+
+}  // namespace tocsin
