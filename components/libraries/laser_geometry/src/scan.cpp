@@ -41,11 +41,26 @@ bool is_used(double range_m, const ScanParams& params) {
   return params.cleared_m > 0;
 }
 
+/// For each beam, how many in a row with it have no return; 0 for one that has.
+std::vector<std::size_t> runs_without_return(const std::vector<double>& ranges_m,
+                                             double max_range_m) {
+  std::vector<std::size_t> runs(ranges_m.size(), 0);
+  for (std::size_t first = 0; first < ranges_m.size(); ++first) {
+    std::size_t end = first;
+    while (end < ranges_m.size() && ranges_m[end] >= max_range_m) ++end;
+    std::fill(runs.begin() + static_cast<std::ptrdiff_t>(first),
+              runs.begin() + static_cast<std::ptrdiff_t>(end), end - first);
+    first = std::max(first, end);
+  }
+  return runs;
+}
+
 }  // namespace
 
 Scan make_scan(const std::vector<double>& ranges_m, const Beams& beams, const ScanParams& params) {
   Scan scan;
   scan.laser = geometry::position(beams.laser);
+  const std::vector<std::size_t> run = runs_without_return(ranges_m, params.max_range_m);
   const bool moves = beams.interval_s != 0 && !is_standing(beams.velocity);
   for (std::size_t i = 0; i < ranges_m.size(); ++i) {
     const double range_m = ranges_m[i];
@@ -56,9 +71,10 @@ Scan make_scan(const std::vector<double>& ranges_m, const Beams& beams, const Sc
     const Pose laser =
         moves ? compose(moved(beams.velocity, beam * beams.interval_s), beams.laser) : beams.laser;
     const double bearing_rad = laser.heading_rad + beams.first_rad + beam * beams.increment_rad;
-    (is_hit ? scan.hits : scan.misses)
-        .push_back({laser.x_m + length_m * std::cos(bearing_rad),
-                    laser.y_m + length_m * std::sin(bearing_rad)});
+    const Point end{laser.x_m + length_m * std::cos(bearing_rad),
+                    laser.y_m + length_m * std::sin(bearing_rad)};
+    (is_hit ? scan.hits : scan.misses).push_back(end);
+    if (!is_hit && run[i] >= params.open_beams) scan.open.push_back(end);
   }
   return scan;
 }

@@ -30,6 +30,21 @@ TEST(MakeScan, TellsHitsFromMissesAndIgnoresTheRest) {
   }
 }
 
+TEST(MakeScan, TellsAnOpenDirectionFromABeamThatIsLost) {
+  const Beams beams{{}, 0, 0.1};
+  std::vector<double> ranges_m(20, 2);
+  for (const std::size_t lost : {0, 5, 6, 7, 8, 19}) ranges_m[lost] = infinity;
+  EXPECT_EQ(make_scan(ranges_m, beams).misses.size(), 6U);
+  EXPECT_TRUE(make_scan(ranges_m, beams).open.empty());
+  ranges_m[9] = infinity;
+  const Scan scan = make_scan(ranges_m, beams);
+  ASSERT_EQ(scan.open.size(), 5U);
+  EXPECT_NEAR(geometry::bearing({}, scan.open.front()), 0.5, 1e-12);
+  EXPECT_NEAR(geometry::bearing({}, scan.open.back()), 0.9, 1e-12);
+  for (std::size_t i = 10; i < 20; ++i) ranges_m[i] = nan;
+  EXPECT_EQ(make_scan(ranges_m, beams).open.size(), 5U) << "at the end of what is measured";
+}
+
 TEST(MakeScan, ClearsNothingWithoutReturnWhenItMayNot) {
   ScanParams params;
   params.cleared_m = 0;

@@ -68,8 +68,8 @@ std::vector<MapPainter::Change> MapPainter::take_changes() {
   std::vector<Change> changes;
   for (const TileMap::Index index : touched()) {
     TileMap::Tile tile = tile_at(index);
-    const bool is_empty = std::all_of(tile.begin(), tile.end(),
-                                      [](Cell cell) { return cell == Cell::unknown; });
+    const bool is_empty =
+        std::all_of(tile.begin(), tile.end(), [](Cell cell) { return cell == Cell::unknown; });
     if (is_empty && tiles_.tiles().count(index) == 0) continue;
     if (tiles_.put(index, tile) != TileMap::Put::changed) continue;
     changes.push_back({index, std::move(tile)});

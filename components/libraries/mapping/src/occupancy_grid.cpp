@@ -125,16 +125,16 @@ void OccupancyGrid::pass(const Point& from, const Point& to) {
 
 void OccupancyGrid::insert(const Scan& scan, const geometry::Pose& pose) {
   const Points hits = laser::transformed(scan.hits, pose);
-  const Points misses = laser::transformed(scan.misses, pose);
+  const Points open = laser::transformed(scan.open, pose);
   const Point laser = laser::transformed({scan.laser}, pose).front();
   Points all = hits;
-  all.insert(all.end(), misses.begin(), misses.end());
+  all.insert(all.end(), open.begin(), open.end());
   all.push_back(laser);
   cover(all);
   begin_scan();
   for (const Point& hit : hits) add(cell(hit), params_.hit);
   for (const Point& hit : hits) pass(laser, hit);
-  for (const Point& miss : misses) pass(laser, miss);
+  for (const Point& end : open) pass(laser, end);
 }
 
 navigation::OccupancyMap OccupancyGrid::map() const {

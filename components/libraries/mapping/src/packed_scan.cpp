@@ -4,7 +4,7 @@
 namespace tocsin::mapping {
 
 PackedScan::PackedScan(const laser::Scan& scan)
-    : laser_(packed({scan.laser})), hits_(packed(scan.hits)), misses_(packed(scan.misses)) {}
+    : laser_(packed({scan.laser})), hits_(packed(scan.hits)), open_(packed(scan.open)) {}
 
 PackedScan::Values PackedScan::packed(const laser::Points& points) {
   Values values;
@@ -26,7 +26,8 @@ laser::Points PackedScan::points(const Values& values) {
 }
 
 laser::Scan PackedScan::unpacked() const {
-  return {points(laser_).front(), points(hits_), points(misses_)};
+  const laser::Points open = points(open_);
+  return {points(laser_).front(), points(hits_), open, open};
 }
 
 }  // namespace tocsin::mapping

@@ -8,7 +8,7 @@ namespace {
 
 using navigation::Cell;
 
-Scan beam_to(double x_m, double y_m) { return {{0, 0}, {{x_m, y_m}}, {}}; }
+Scan beam_to(double x_m, double y_m) { return {{0, 0}, {{x_m, y_m}}, {}, {}}; }
 
 TEST(OccupancyGrid, KnowsNothingBeforeTheFirstScan) {
   const OccupancyGrid sut(0.1);
@@ -28,14 +28,14 @@ TEST(OccupancyGrid, ABeamFreesWhatItPassesAndOccupiesWhereItEnds) {
 
 TEST(OccupancyGrid, ABeamWithoutReturnFreesOnly) {
   OccupancyGrid sut(0.1);
-  sut.insert({{0, 0}, {}, {{1.05, 0.05}}}, {});
+  sut.insert({{0, 0}, {}, {}, {{1.05, 0.05}}}, {});
   EXPECT_EQ(sut.at({0.95, 0.05}), Cell::free);
   EXPECT_EQ(sut.at({1.05, 0.05}), Cell::unknown);
 }
 
 TEST(OccupancyGrid, AHitOutweighsThePassesOfItsOwnScan) {
   OccupancyGrid sut(0.1);
-  sut.insert({{0, 0}, {{2.05, 0.05}, {1.05, 0.05}, {3.05, 0.05}}, {}}, {});
+  sut.insert({{0, 0}, {{2.05, 0.05}, {1.05, 0.05}, {3.05, 0.05}}, {}, {}}, {});
   EXPECT_EQ(sut.log_odds({1.05, 0.05}), OccupancyParams{}.hit);
   EXPECT_EQ(sut.log_odds({0.55, 0.05}), OccupancyParams{}.pass);
 }
@@ -49,14 +49,14 @@ TEST(OccupancyGrid, SeesThatSomethingHasGoneHoweverLongItStood) {
     sut.insert(beam_to(2, 0.05), {});
     ++scans;
   }
-  EXPECT_EQ(scans, 10);  // (350 + 30) / 40
+  EXPECT_EQ(scans, 19);  // (350 + 15) / 20
 }
 
 TEST(OccupancyGrid, GrowsToAllSidesAndKeepsWhatItKnew) {
   OccupancyGrid sut(0.1);
   sut.insert(beam_to(1, 0.05), {});
   for (const double heading_rad : {pi / 2, pi, -pi / 2}) {
-    sut.insert({{0, 0}, {{20, 0.05}}, {}}, {0.02, 0.02, heading_rad});
+    sut.insert({{0, 0}, {{20, 0.05}}, {}, {}}, {0.02, 0.02, heading_rad});
   }
   EXPECT_EQ(sut.at({1.05, 0.05}), Cell::occupied);
   EXPECT_EQ(sut.at({-19.95, 0.0}), Cell::occupied);

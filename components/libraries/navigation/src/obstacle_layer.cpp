@@ -61,7 +61,7 @@ void ObstacleLayer::on_scan(const laser::Scan& scan, const geometry::Pose& pose,
   const laser::Points hits = laser::transformed(scan.hits, pose);
   Reach reach{};
   for (const geometry::Point& hit : hits) note_beam(reach, from.front(), hit);
-  for (const geometry::Point& end : laser::transformed(scan.misses, pose)) {
+  for (const geometry::Point& end : laser::transformed(scan.open, pose)) {
     note_beam(reach, from.front(), end);
   }
   for (const geometry::Point& hit : hits) {

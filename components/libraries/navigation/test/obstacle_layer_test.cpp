@@ -33,7 +33,7 @@ class ObstacleLayerTest : public ::testing::Test {
         const double beside_m = disc.x_m * direction.y_m - disc.y_m * direction.x_m;
         if (ahead_m > 0 && std::abs(beside_m) < 0.1) range_m = std::min(range_m, ahead_m - 0.1);
       }
-      auto& points = range_m < clears_m ? scan.hits : scan.misses;
+      auto& points = range_m < clears_m ? scan.hits : scan.open;
       const double length_m = std::min(range_m, clears_m);
       points.push_back({length_m * direction.x_m, length_m * direction.y_m});
     }

@@ -14,6 +14,7 @@
 #include "radio_link.hpp"
 #include "runtime/bus.hpp"
 #include "runtime/middleware/link_bus.hpp"
+#include "runtime/middleware/local_services.hpp"
 #include "runtime/middleware/qos_profile.hpp"
 #include "runtime/middleware/replay_filter.hpp"
 #include "runtime/middleware/topic_exchange.hpp"
@@ -60,6 +61,11 @@ class SimProcess final : public Bus, private LinkAccess {
 
   std::unique_ptr<Subscription> subscribe(const Endpoint& endpoint, Receiver& receiver) override;
   std::unique_ptr<Publication> advertise(const Endpoint& endpoint) override;
+  /// With every process of this host.
+  std::unique_ptr<ServerEnd> serve(const ServiceEndpoint& endpoint,
+                                   ServerReceiver& receiver) override;
+  std::unique_ptr<ClientEnd> call(const ServiceEndpoint& endpoint,
+                                  ClientReceiver& receiver) override;
   [[nodiscard]] Time now() const override { return network_.core.now; }
   [[nodiscard]] std::int64_t wall_ns(Time t) const override;
   [[nodiscard]] LinkAccess* link_access() override { return this; }
@@ -135,6 +141,7 @@ class SimHost {
   /// routers, which no host has written.
   void deliver_carried(const Flow& flow, const CarriedSample& sample, const Freight& freight);
 
+  [[nodiscard]] LocalServices& services() { return services_; }
   SimProcess& add_process(const std::string& name, int life = 0);
   /// Sets the wall clock of this host so much on.
   void jump(Duration by) { clock_offset_ += by; }
@@ -155,6 +162,7 @@ class SimHost {
   TrafficRules rules_;
   SimLinkBus* router_ = nullptr;
   std::map<std::string, HostTopic> topics_;
+  LocalServices services_;
   std::list<SimProcess> processes_;  ///< the dead too, since packets on the air refer to them
   Duration clock_offset_{0};
 };

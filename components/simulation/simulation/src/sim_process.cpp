@@ -112,6 +112,16 @@ std::unique_ptr<Publication> SimProcess::advertise(const Endpoint& endpoint) {
   return std::make_unique<OpenWriter>(*this, its);
 }
 
+std::unique_ptr<ServerEnd> SimProcess::serve(const ServiceEndpoint& endpoint,
+                                             ServerReceiver& receiver) {
+  return host_.services().serve(endpoint, receiver);
+}
+
+std::unique_ptr<ClientEnd> SimProcess::call(const ServiceEndpoint& endpoint,
+                                            ClientReceiver& receiver) {
+  return host_.services().call(endpoint, receiver);
+}
+
 void SimProcess::begin_to_write(Topic& its) {
   const TrafficRule* const rule = host_.rules().find(its.endpoint.topic.name);
   if (rule != nullptr && rule->live) {

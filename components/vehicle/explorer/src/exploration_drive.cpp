@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "explorer/exploration_drive.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -12,6 +14,8 @@ using exploration::Step;
 
 constexpr Duration again_after_rejection = std::chrono::seconds(5);
 constexpr int most_rejections = 12;
+constexpr double moved_m = 0.1;  // more is getting on
+constexpr double moved_rad = 0.3;
 
 std::string text_of(const geometry::Point& goal, std::size_t given_up) {
   std::array<char, 128> text{};
@@ -40,6 +44,11 @@ void ExplorationDrive::on_pose(const geometry::Pose& pose, Time now) {
   if (!is_finite(pose)) return;
   pose_ = pose;
   pose_at_ = now;
+  const double turned_rad =
+      std::abs(geometry::wrap_angle(pose.heading_rad - moved_pose_.heading_rad));
+  if (distance(position(pose), position(moved_pose_)) < moved_m && turned_rad < moved_rad) return;
+  moved_pose_ = pose;
+  moved_at_ = now;
 }
 
 void ExplorationDrive::on_reached(Time now) {
@@ -77,8 +86,8 @@ ExplorationDrive::Order ExplorationDrive::update(Time now) {
   if (std::exchange(is_stopping_, false)) return finish("idle");
   if (!is_running_) return {};
   Order order;
-  if (is_driving_ && now >= give_up_at_) {
-    on_failed("not reached in its time");
+  if (is_driving_ && now >= std::min(give_up_at_, moved_at_ + seconds(params_.stall_timeout_s))) {
+    on_failed(now >= give_up_at_ ? "not reached in its time" : "it does not get on");
     order.cancel = true;
   }
   if (now < next_) return order;
@@ -109,6 +118,7 @@ ExplorationDrive::Order ExplorationDrive::choose(Time now) {
 
 ExplorationDrive::Order ExplorationDrive::drive_to(const geometry::Point& goal, Time now) {
   is_driving_ = true;
+  moved_at_ = now;
   give_up_at_ = now + seconds(params_.goal_timeout_s);
   status_ = text_of(goal, explorer_.listed().size());
   return {geometry::Pose{goal.x_m, goal.y_m, bearing(position(*pose_), goal)}, false};

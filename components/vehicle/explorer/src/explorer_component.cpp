@@ -84,6 +84,8 @@ void ExplorerComponent::tell() {
   if (status_.write(std::move(message)) == Status::failed) return;
   told_ = drive_.status();
   log().info("{}", told_);
+  const bool is_over = told_.rfind("done", 0) == 0;
+  if (is_over && params_.exit_when_over) context().request_exit(0);
 }
 
 }  // namespace tocsin

@@ -33,9 +33,9 @@ class ExplorationDriveTest : public ::testing::Test {
     sut.on_navigator(true);
     at(0);
   }
-  Time at(double s) {
+  Time at(double s, double aside_m = 0) {
     const Time now = t0 + seconds(s);
-    sut.on_pose({0.6, 1, 0}, now);
+    sut.on_pose({0.6, 1 + aside_m, 0}, now);
     return now;
   }
   ExplorationDrive sut{{}};
@@ -99,10 +99,21 @@ TEST_F(ExplorationDriveTest, ChoosesNoGoalWithoutMapFreshPoseOrNavigator) {
 TEST_F(ExplorationDriveTest, AGoalThatTakesTooLongHasFailed) {
   sut.start();
   ASSERT_TRUE(sut.update(t0).drive_to);
-  EXPECT_FALSE(sut.update(at(119.9)).drive_to) << "it is driven to";
+  for (int s = 1; s < 120; ++s) {
+    (void)at(s, 0.1 * (s % 2));
+    EXPECT_FALSE(sut.update(at(s + 0.9, 0.12 * (s % 2))).drive_to) << "it is driven to";
+  }
   const auto second = sut.update(at(120));
   EXPECT_TRUE(second.drive_to) << "it is tried once more";
   EXPECT_FALSE(second.cancel) << "the new one replaces it";
+}
+
+TEST_F(ExplorationDriveTest, AGoalThatItDoesNotGetOnToHasFailed) {
+  sut.start();
+  ASSERT_TRUE(sut.update(t0).drive_to);
+  EXPECT_FALSE(sut.update(at(7.9)).drive_to);
+  EXPECT_TRUE(sut.update(at(8.9)).drive_to) << "it is tried once more";
+  EXPECT_FALSE(sut.update(at(16)).drive_to) << "counted anew";
 }
 
 TEST_F(ExplorationDriveTest, WaitsForTheMapToShowWhatIsSeenFromAGoal) {

@@ -44,7 +44,7 @@ class NavigatorObstaclesTest : public ::testing::Test {
       const double bearing_rad = i * degree + vehicle_.pose.heading_rad;
       double range_m = 4;
       for (const Point& disc : discs_) range_m = std::min(range_m, range_to(disc, bearing_rad));
-      auto& points = range_m < 4 ? scan.hits : scan.misses;
+      auto& points = range_m < 4 ? scan.hits : scan.open;
       points.push_back({range_m * std::cos(i * degree), range_m * std::sin(i * degree)});
     }
     vehicle_.sut.on_scan(scan, vehicle_.pose, vehicle_.now);

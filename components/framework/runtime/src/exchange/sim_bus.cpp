@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "exchange/local_services.hpp"
 #include "foundation/error.hpp"
 #include "runtime/host_control.hpp"
+#include "runtime/middleware/local_services.hpp"
 #include "runtime/middleware/topic_exchange.hpp"
 
 namespace tocsin {

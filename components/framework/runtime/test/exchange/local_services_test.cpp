@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "exchange/local_services.hpp"
+#include "runtime/middleware/local_services.hpp"
 
 #include <gtest/gtest.h>
 

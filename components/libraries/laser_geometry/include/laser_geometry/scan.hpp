@@ -15,7 +15,8 @@ using Points = std::vector<geometry::Point>;
 struct Scan {
   geometry::Point laser;  ///< where the beams start [m]
   Points hits;            ///< what they met [m]
-  Points misses;          ///< ends of what is free on beams that met nothing [m]
+  Points misses;          ///< ends of what is free on beams that met nothing [m],
+  Points open;  ///< those of them that have like neighbours: one beam may be lost on a wall
 };
 
 /// How readings of a laser become points.
@@ -24,6 +25,7 @@ struct ScanParams {
   double max_range_m = 40.0;  ///< this and more is "no return"
   double used_range_m = 30;   ///< longer readings are ignored: their beams lie too far apart
   double cleared_m = 4.0;     ///< how far a beam without return makes the floor free; 0: not at all
+  std::size_t open_beams = 5;  ///< so many in a row without return are no fault of the laser
 };
 
 /// Where the laser sits on the vehicle, how its beams lie, and how the vehicle moves meanwhile.

@@ -16,10 +16,10 @@ using laser::Scan;
 /// Log odds of a cell, in hundredths.
 struct OccupancyParams {
   int hit = 85;       ///< added where a beam ends
-  int pass = -40;     ///< added where a beam passes
+  int pass = -20;     ///< added where a beam passes
   int limit = 350;    ///< neither more nor less than this, so that a change is seen
   int occupied = 50;  ///< more is occupied
-  int free = -30;     ///< less is free, the rest is unknown
+  int free = -15;     ///< less is free, the rest is unknown
 };
 
 /// An occupancy grid in log odds that grows with what is inserted (Moravec and Elfes 1985; Thrun,

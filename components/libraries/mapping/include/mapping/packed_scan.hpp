@@ -7,7 +7,8 @@
 
 namespace tocsin::mapping {
 
-/// A scan in half of its memory: coordinates are kept to about a micrometre.
+/// A scan in half of its memory: coordinates are kept to about a micrometre, and of the beams
+/// without return those that are in a row.
 class PackedScan {
  public:
   PackedScan() = default;
@@ -16,22 +17,22 @@ class PackedScan {
   [[nodiscard]] laser::Scan unpacked() const;
   [[nodiscard]] laser::Points hits() const { return points(hits_); }
 
-  /// Visits laser, hits and misses as vectors of x and y in turn [m], frame of the vehicle.
+  /// Visits laser, hits and open ends as vectors of x and y in turn [m], frame of the vehicle.
   template <class Visitor>
   void visit(Visitor& v) {
     v(laser_);
     v(hits_);
-    v(misses_);
+    v(open_);
   }
   template <class Visitor>
   void visit(Visitor& v) const {
     v(laser_);
     v(hits_);
-    v(misses_);
+    v(open_);
   }
   /// False after a visit that has left no place of the laser, or half a point.
   [[nodiscard]] bool is_whole() const {
-    return laser_.size() == 2 && hits_.size() % 2 == 0 && misses_.size() % 2 == 0;
+    return laser_.size() == 2 && hits_.size() % 2 == 0 && open_.size() % 2 == 0;
   }
 
  private:
@@ -40,7 +41,7 @@ class PackedScan {
   [[nodiscard]] static laser::Points points(const Values& values);
   Values laser_{0, 0};
   Values hits_;
-  Values misses_;
+  Values open_;
 };
 
 }  // namespace tocsin::mapping

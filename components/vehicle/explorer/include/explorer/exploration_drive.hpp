@@ -17,16 +17,20 @@ class ExplorationDrive {
  public:
   struct Params {
     bool autostart = false;
+    bool exit_when_over = false;
     double choose_every_s = 1;
     double goal_timeout_s = 120;
+    double stall_timeout_s = 8;
     double pose_timeout_s = 3;
     double settle_s = 2;
     exploration::ExplorerParams explorer;
     template <class Visitor>
     void visit(Visitor& v) {
       v("autostart", autostart, "whether to explore from the start on");
+      v("exit_when_over", exit_when_over, "end the process when all is known; code 0");
       v("choose_every_s", choose_every_s, {0.1, 60}, "[s] between choices while it drives");
       v("goal_timeout_s", goal_timeout_s, {1, 3600}, "[s] a goal that takes longer has failed");
+      v("stall_timeout_s", stall_timeout_s, {1, 3600}, "[s] without moving, a goal has failed");
       v("pose_timeout_s", pose_timeout_s, {0.1, 60}, "[s] with older poses no goal is chosen");
       v("settle_s", settle_s, {0, 60}, "[s] until the map shows what is seen from a goal");
       explorer.visit(v);
@@ -75,6 +79,8 @@ class ExplorationDrive {
   std::string status_ = "idle";
   Time pose_at_{};
   Time next_{};
+  geometry::Pose moved_pose_;  ///< where it last was seen to move
+  Time moved_at_{};
   Time give_up_at_{};
   int rejections_ = 0;
   bool has_navigator_ = false;
