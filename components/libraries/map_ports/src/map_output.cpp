@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "map_ports/map_output.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -12,6 +13,7 @@ using navigation::TileMap;
 
 constexpr Duration update_period = std::chrono::milliseconds(500);
 constexpr Duration whole_period = std::chrono::seconds(2);
+constexpr Duration late_period = std::chrono::seconds(3);  // after that
 
 std::int8_t occupancy(Cell cell) {
   switch (cell) {
@@ -63,10 +65,17 @@ void MapOutput::begin(double resolution_m) {
 }
 
 void MapOutput::publish(const builtin_interfaces::msg::Time& stamp, Time now) {
-  if (changed_.empty() || now < next_) return;
+  if (now < deadline()) return;
   next_ = now + update_period;
-  if (!is_same_place(published_, tiles_.grid())) return publish_grown(stamp, now);
+  const bool is_due = is_stale_ && now >= next_whole_ + late_period;
+  if (is_due || !is_same_place(published_, tiles_.grid())) return publish_grown(stamp, now);
   for (const TileMap::Index index : std::exchange(changed_, {})) publish_tile(index, stamp);
+  is_stale_ = true;
+}
+
+Time MapOutput::deadline() const {
+  const Time for_late = is_stale_ ? next_whole_ + late_period : Time::max();
+  return changed_.empty() ? for_late : std::min(next_, for_late);
 }
 
 bool MapOutput::publish_whole(const navigation::OccupancyMap& map,
@@ -85,6 +94,7 @@ void MapOutput::publish_grown(const builtin_interfaces::msg::Time& stamp, Time n
   next_whole_ = now + whole_period;
   if (!publish_whole(tiles_.map(), stamp)) return;
   published_ = tiles_.grid();
+  is_stale_ = false;
   changed_.clear();
 }
 

@@ -32,11 +32,11 @@ class MapPortsTest : public ::testing::Test {
     bus_.add(publisher_);
     bus_.add(follower_);
   }
-  void put(TileMap::Index index, Cell cell) {
+  void put(TileMap::Index index, Cell cell, double wait_s = 3) {
     TileMap::Tile tile(TileMap::side * TileMap::side, Cell::unknown);
     tile[1] = cell;
     (void)publisher_.map.put(index, std::move(tile));
-    bus_.run_for(seconds(3));
+    bus_.run_for(seconds(wait_s));
   }
   [[nodiscard]] Cell seen(double x_m, double y_m) const {
     return follower_.map.map()->at(geometry::Point{x_m, y_m});
@@ -59,13 +59,24 @@ TEST_F(MapPortsTest, IsWholeWhenItGrowsAndInTilesWhereItChanges) {
   put({-1, 2}, Cell::free);
   EXPECT_EQ(maps_.take().size(), 1U);
   EXPECT_EQ(updates_.take().size(), 0U);
-  put({0, 0}, Cell::free);
-  put({0, 0}, Cell::free);
+  put({0, 0}, Cell::free, 1);
+  put({0, 0}, Cell::free, 0.5);
   EXPECT_EQ(maps_.take().size(), 0U);
   EXPECT_EQ(updates_.take().size(), 1U);
   EXPECT_EQ(seen(0.15, 0.05), Cell::free);
   EXPECT_EQ(seen(-6.25, 12.85), Cell::free);
   EXPECT_EQ(follower_.changes, 3);
+}
+
+TEST_F(MapPortsTest, WhoComesLateHasTheMapAsItIs) {
+  put({0, 0}, Cell::occupied);
+  put({0, 0}, Cell::free);
+  bus_.run_for(seconds(5));
+  const auto maps = maps_.take();
+  ASSERT_EQ(maps.size(), 2U);
+  EXPECT_EQ(maps.back().data()[1], 0);
+  bus_.run_for(seconds(100));
+  EXPECT_TRUE(maps_.take().empty());
 }
 
 TEST_F(MapPortsTest, BeginsAnew) {

@@ -12,6 +12,7 @@
 #include "foundation/replace_file.hpp"
 #include "navigation/map_writer.hpp"
 #include "replay.hpp"
+#include "save.hpp"
 
 namespace tocsin::map_tool {
 namespace {
@@ -89,6 +90,24 @@ void declare(CLI::App& app, CoverOptions& options) {
   app.add_option("--picture", options.picture, "PGM image to write: map, drive, what is left out");
 }
 
+void declare(CLI::App& app, SaveOptions& options) {
+  app.add_option("NAME", options.name, "writes NAME.yaml and NAME.pgm")->required();
+  app.add_flag("--overwrite", options.overwrite, "replaces files of that name");
+  app.add_option("--wait", options.wait_s, "[s] until a map must have come [10]")
+      ->check(CLI::Range(0.1, 3600.0));
+  options.host.declare(app);
+}
+
+int print_save(const SaveOptions& options) {
+  std::fputs(save(options).c_str(), stdout);
+  return 0;
+}
+
+void declare(CLI::App& app, ContinueOptions& options) {
+  app.add_option("NAME", options.name, "goes on with NAME.session, and saves there")->required();
+  app.add_flag("--by-hand", options.by_hand, "you drive, see tocsin teleop; else it explores");
+}
+
 int print_cover(const CoverOptions& options) {
   std::fputs(cover(options).c_str(), stdout);
   return 0;
@@ -99,7 +118,7 @@ int print_cover(const CoverOptions& options) {
 
 int main(int argc, char** argv) {
   tocsin::map_tool::Options options;
-  CLI::App app("Maps: of a recorded drive, and drives that cover one.");
+  CLI::App app("Maps: of a recorded drive, of a running system, and drives that cover one.");
   app.name("tocsin map");
   tocsin::Verbs verbs(app);
   tocsin::map_tool::declare(*verbs.add("replay", "maps a recorded drive",
@@ -109,5 +128,13 @@ int main(int argc, char** argv) {
   tocsin::map_tool::declare(*verbs.add("cover", "plans a drive that covers the floor of a map",
                                        [&] { return tocsin::map_tool::print_cover(cover); }),
                             cover);
+  tocsin::map_tool::SaveOptions save;
+  tocsin::map_tool::declare(*verbs.add("save", "saves the map of a running system",
+                                       [&] { return tocsin::map_tool::print_save(save); }),
+                            save);
+  tocsin::map_tool::ContinueOptions session;
+  tocsin::map_tool::declare(*verbs.add("continue", "drives and maps on from where a map was saved",
+                                       [&]() -> int { tocsin::map_tool::go_on(session); }),
+                            session);
   return verbs.run(argc, argv);
 }

@@ -28,10 +28,11 @@ class MapOutput {
                                    const builtin_interfaces::msg::Time& stamp);
   /// Forgets the map: another one begins.
   void begin(double resolution_m);
-  /// Publishes what has changed, at most once in half a second, the whole map in two seconds.
+  /// Publishes what has changed, at most once in half a second, the whole map in two seconds; for
+  /// who comes late, the whole map again within five seconds of a change.
   void publish(const builtin_interfaces::msg::Time& stamp, Time now);
   /// When it is to be called again; Time::max() when nothing waits.
-  [[nodiscard]] Time deadline() const { return changed_.empty() ? Time::max() : next_; }
+  [[nodiscard]] Time deadline() const;
   [[nodiscard]] const navigation::TileMap& tiles() const { return tiles_; }
 
  private:
@@ -43,6 +44,7 @@ class MapOutput {
   navigation::TileMap tiles_;
   std::set<navigation::TileMap::Index> changed_;
   navigation::Grid published_;  // whole
+  bool is_stale_ = false;       // tiles have changed since then
   Time next_{};
   Time next_whole_{};
 };
