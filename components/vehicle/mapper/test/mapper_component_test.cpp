@@ -121,7 +121,8 @@ class MapperComponentTest : public ::testing::Test {
   TemporaryFolder folder_;
   SimBus bus_;
   Computer computer_;
-  Context context_ = Context{bus_, "mapper", Role::uxv}.with_computer(computer_);
+  Context context_ =
+      Context{bus_, "mapper", Role::uxv}.with_computer(computer_).with_run_dir(folder_.path());
   Context caller_context_{bus_, "caller", Role::uxv};
   MapperComponent::Params params_;
   laser::LaserModel laser_{laser::find_laser_profile("rplidar_a2"), 1};
@@ -171,6 +172,7 @@ TEST_F(MapperComponentTest, SendsEachTileThatChangesAndAllOfThemAgain) {
 TEST_F(MapperComponentTest, AddsNothingWhileItStands) {
   start();
   drive(20);
+  drive(60, 0);
   (void)maps_.take();
   drive(100, 0);
   ASSERT_LT(off_m(), 0.06);
@@ -265,6 +267,21 @@ TEST_F(MapperComponentTest, SavesItsMapAtTheEndAndGoesOnWithIt) {
   params_.start_y_m = truth_.y_m - 0.3;
   params_.start_yaw_rad = truth_.heading_rad;
   odom_ = {};
+  start();
+  drive(60);
+  EXPECT_LT(off_m(), 0.06);
+  EXPECT_TRUE(caller_.sees(0, 1.5));
+}
+
+TEST_F(MapperComponentTest, GoesOnAfterARestartWithinItsLaunch) {
+  params_.map_name = path("room");
+  params_.save_every_s = 2;
+  start();
+  drive(60);
+  bus_.remove(*sut_);
+  std::filesystem::copy(path("room.session"), path("kept.session"));
+  sut_.reset();  // a process that is killed does not save
+  std::filesystem::rename(path("kept.session"), path("room.session"));
   start();
   drive(60);
   EXPECT_LT(off_m(), 0.06);
