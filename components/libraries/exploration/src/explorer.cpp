@@ -18,7 +18,8 @@ constexpr int most_failures = 2;
 constexpr int most_arrivals = 2;
 constexpr int most_choices = 8;
 constexpr int most_waits = 10;
-constexpr int least_looks = 3;  // one mistaken reading can close a door for a while
+constexpr double tight_margin_m = 0.02;  // the navigator's, where it finds no other way
+constexpr int least_looks = 3;           // one mistaken reading can close a door for a while
 
 }  // namespace
 
@@ -75,7 +76,7 @@ Step Explorer::next(const navigation::OccupancyMap& map, const Point& robot) {
   const auto step = step_within(map, robot, inflation);
   if (step) return *step;
   // Noise of the map may close a door behind the robot.
-  inflation.margin_m = 0;
+  inflation.margin_m = std::min(inflation.margin_m, tight_margin_m);
   const auto tight = step_within(map, robot, inflation);
   if (tight) return *tight;
   const bool stands_free =

@@ -23,10 +23,13 @@ bool MapPainter::has_moved(const GlobalMapper& mapper) const {
 }
 
 void MapPainter::paint(const GlobalMapper& mapper, bool may_begin_anew) {
+  const std::size_t before = painted_.size();
   if (may_begin_anew && has_moved(mapper)) {
     grid_ = OccupancyGrid(tiles_.resolution_m());
     painted_.clear();
+    is_changed_ = true;
   }
+  is_changed_ = is_changed_ || before < mapper.nodes().size();
   for (std::size_t i = painted_.size(); i < mapper.nodes().size(); ++i) {
     painted_.push_back(mapper.poses()[i]);
     grid_.insert(mapper.nodes()[i].scan.unpacked(), painted_.back());
@@ -34,13 +37,16 @@ void MapPainter::paint(const GlobalMapper& mapper, bool may_begin_anew) {
 }
 
 TileMap::Tile MapPainter::tile_at(TileMap::Index index) const {
+  // Both count in cells from the origin of the frame.
   const double r = tiles_.resolution_m();
+  const navigation::CellIndex corner{
+      index.column * TileMap::side - static_cast<int>(std::lround(grid_.grid().origin.x_m / r)),
+      index.row * TileMap::side - static_cast<int>(std::lround(grid_.grid().origin.y_m / r))};
   TileMap::Tile tile;
   tile.reserve(std::size_t{TileMap::side} * TileMap::side);
   for (int row = 0; row < TileMap::side; ++row) {
     for (int column = 0; column < TileMap::side; ++column) {
-      tile.push_back(grid_.at({(index.column * TileMap::side + column + 0.5) * r,
-                               (index.row * TileMap::side + row + 0.5) * r}));
+      tile.push_back(grid_.at(navigation::CellIndex{corner.column + column, corner.row + row}));
     }
   }
   return tile;
@@ -66,6 +72,7 @@ std::set<TileMap::Index> MapPainter::touched() const {
 
 std::vector<MapPainter::Change> MapPainter::take_changes() {
   std::vector<Change> changes;
+  if (!std::exchange(is_changed_, false)) return changes;
   for (const TileMap::Index index : touched()) {
     TileMap::Tile tile = tile_at(index);
     const bool is_empty =

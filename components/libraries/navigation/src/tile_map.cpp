@@ -10,7 +10,7 @@
 namespace tocsin::navigation {
 namespace {
 
-constexpr std::int64_t most_cells = 25'000'000;  // as load_map takes
+constexpr std::int64_t largest_grid = 25'000'000;  // as load_map takes
 constexpr int most_index = 1'000'000;            // to all sides: 3,200 km
 constexpr std::size_t cells_a_tile = std::size_t{TileMap::side} * TileMap::side;
 constexpr std::size_t cells_a_byte = 4;
@@ -38,7 +38,7 @@ Grid TileMap::grid_with(Index index) const {
   }
   const std::int64_t width = (std::int64_t{high.column} - low.column + 1) * side;
   const std::int64_t height = (std::int64_t{high.row} - low.row + 1) * side;
-  if (width > most_cells || height > most_cells || width * height > most_cells) return {};
+  if (width > largest_grid || height > largest_grid || width * height > largest_grid) return {};
   const double tile_m = side * resolution_m_;
   return {static_cast<int>(width),
           static_cast<int>(height),

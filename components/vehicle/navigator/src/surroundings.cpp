@@ -22,6 +22,7 @@ Surroundings::Surroundings(const Params& params, const navigation::InflationPara
       obstacles_(map_, params.obstacles) {}
 
 void Surroundings::set_map(const navigation::OccupancyMap& map) {
+  is_growing_ = true;
   map_ = map;
   costs_ = std::make_shared<const navigation::CostMap>(map, inflation_);
   planner_ = navigation::Planner(costs_);
@@ -52,11 +53,15 @@ std::optional<geometry::Path> Surroundings::plan(const geometry::Point& from,
     planner_ = planner_round(cells, inflation_);
   }
   auto path = planner_.plan(from, to);
-  if (path || cells.empty()) return path;
-  // Obstacles are seen to a cell: a gap that is wide enough may look closed.
+  if (path || (cells.empty() && !is_growing_)) return path;
+  // Obstacles, and walls of a map that is being made, are seen to a cell: a gap that is wide enough
+  // may look closed.
   navigation::InflationParams tight = inflation_;
   tight.margin_m = std::min(tight.margin_m, tight_margin_m);
-  return planner_round(cells, tight).plan(from, to);
+  const navigation::CostMap walls =
+      is_growing_ ? navigation::CostMap(map_, tight) : navigation::CostMap(*costs_);
+  return navigation::Planner(std::make_shared<const navigation::CostMap>(walls, cells, tight))
+      .plan(from, to);
 }
 
 navigation::Planner Surroundings::planner_round(const std::vector<navigation::CellIndex>& cells,

@@ -34,6 +34,7 @@ class MapPainter {
 
   OccupancyGrid grid_;
   std::vector<geometry::Pose> painted_;
+  bool is_changed_ = false;  ///< since the changes were taken
   navigation::TileMap tiles_;
 };
 

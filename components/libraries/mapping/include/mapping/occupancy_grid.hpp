@@ -36,6 +36,9 @@ class OccupancyGrid {
   [[nodiscard]] const navigation::Grid& grid() const { return grid_; }
   /// Unknown outside of the grid.
   [[nodiscard]] navigation::Cell at(const geometry::Point& p) const;
+  [[nodiscard]] navigation::Cell at(navigation::CellIndex c) const {
+    return grid_.contains(c) ? kind(cells_[grid_.offset(c)]) : navigation::Cell::unknown;
+  }
   /// [hundredths] 0 where nothing is known.
   [[nodiscard]] int log_odds(const geometry::Point& p) const;
   /// What is known, cut to what is not unknown, with a border of one cell. One unknown cell when

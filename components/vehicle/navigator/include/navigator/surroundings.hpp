@@ -67,6 +67,7 @@ class Surroundings {
   Params params_;
   navigation::InflationParams inflation_;
   navigation::OccupancyMap map_;
+  bool is_growing_ = false;  ///< another map has come
   std::shared_ptr<const navigation::CostMap> costs_;
   navigation::Planner planner_;
   navigation::ObstacleLayer obstacles_;
