@@ -93,11 +93,22 @@ void Invariants::on_sent(const Sent& sent) {
   }
 }
 
+/// What is repaired comes after newer ones, where these do not make it worthless.
+bool Invariants::is_new(Given& given, const TopicEnd& from, std::uint64_t sequence) {
+  constexpr std::size_t most_recent = 1000;
+  const bool is_newest = sequence > given.newest;
+  given.newest = std::max(given.newest, sequence);
+  if (from.keeps_one) return is_newest;
+  const bool is_first = given.recent.insert(sequence).second;
+  if (given.recent.size() > most_recent) given.recent.erase(given.recent.begin());
+  return is_first;
+}
+
 void Invariants::on_delivered(const Delivered& delivered) {
-  std::uint64_t& last = last_[{&delivered.from, &delivered.to}];
-  expect(delivered.sequence > last, delivered.received, "a sample came again or out of order",
+  Given& given = given_[{&delivered.from, &delivered.to}];
+  expect(is_new(given, delivered.from, delivered.sequence), delivered.received,
+         "a sample came again or out of order",
          text_of(delivered.from) + " to " + process_of(delivered.to));
-  last = delivered.sequence;
   if (delivered.from.role == Role::gcs && delivered.to.role == Role::uxv) {
     pressed_stop_.on_crossed(delivered.written_at, delivered.received);
   }

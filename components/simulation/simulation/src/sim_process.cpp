@@ -82,6 +82,7 @@ std::unique_ptr<SimProcess::Topic> SimProcess::make_topic(const Endpoint& endpoi
   made->end.type = endpoint.type;
   made->end.lifespan_s = made->qos.lifespan_s;
   made->end.reliable = made->qos.reliable();
+  made->end.keeps_one = made->qos.depth == 1;
   return made;
 }
 

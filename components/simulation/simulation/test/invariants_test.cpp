@@ -77,6 +77,17 @@ class InvariantsTest : public ::testing::Test {
   TopicEnd goal_ = end_of_class(TrafficClass::high, true, false);
 };
 
+TEST_F(InvariantsTest, OneThatIsOlderThanWhatCameCountsOnlyWhereAllCount) {
+  TopicEnd all = end_of_class(TrafficClass::low, true, true);
+  all.keeps_one = false;
+  for (const std::uint64_t sequence : {1, 3, 2, 4}) deliver(all, sequence, 0.1);
+  EXPECT_TRUE(sut_.violations().empty());
+  deliver(all, 3, 0.1);
+  EXPECT_EQ(sut_.violations().size(), 1U) << "twice";
+  for (const std::uint64_t sequence : {1, 3, 2}) deliver(low_, sequence, 0.1);
+  EXPECT_EQ(sut_.violations().size(), 2U) << "an old state";
+}
+
 TEST_F(InvariantsTest, CriticalSamplesAreSoonOnTheRadio) {
   begin_to_send();
   write(critical_);

@@ -97,7 +97,13 @@ class Invariants : public Observer {
   Marks kept_;                    ///< last samples that a gate holds, and since when
   Marks awaited_;                 ///< that are to be on the radio, and until when
   Time next_due_ = Time::max();   ///< the first of these
-  std::map<std::pair<const TopicEnd*, const TopicEnd*>, std::uint64_t> last_;
+  /// Samples of one end that another one was given.
+  struct Given {
+    std::uint64_t newest = 0;
+    std::set<std::uint64_t> recent;
+  };
+  [[nodiscard]] static bool is_new(Given& given, const TopicEnd& from, std::uint64_t sequence);
+  std::map<std::pair<const TopicEnd*, const TopicEnd*>, Given> given_;
   /// A stored topic in one process, as far as it was given to one host.
   struct StoredEnd {
     std::string name;                                ///< outlives the world, as its end does not

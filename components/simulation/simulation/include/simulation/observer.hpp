@@ -27,6 +27,7 @@ struct TopicEnd {
   const TypeInfo* type = nullptr;
   double lifespan_s = 0;  ///< infinity: none
   bool reliable = false;
+  bool keeps_one = true;  ///< depth 1: an older sample is worth nothing once a newer one is there
   bool pausable = false;  ///< its router's gate can close for it
   bool drops = false;     ///< and then its samples are dropped
   bool stored = false;    ///< what of it does not cross at first is backfilled
