@@ -93,7 +93,7 @@ void Localiser::start_anywhere() {
 std::optional<Localiser::Estimate> Localiser::update(const laser::Scan& scan,
                                                      const geometry::Pose& odom) {
   if (!is_finite(odom)) return std::nullopt;
-  move(odom);
+  move(scan.hits, odom);
   if ((hypotheses_.empty() && !is_anywhere_) || scan.hits.empty()) return std::nullopt;
   const bool is_old = last_scan_ && laser::is_repeated(*last_scan_, scan);
   last_scan_ = scan;
@@ -115,11 +115,15 @@ void Localiser::stay() {
   }
 }
 
-void Localiser::move(const geometry::Pose& odom) {
-  const geometry::Pose step = odom_ ? compose(inverse(*odom_), odom) : geometry::Pose{};
+void Localiser::move(const laser::Points& hits, const geometry::Pose& odom) {
+  const geometry::Pose by_wheels = odom_ ? compose(inverse(*odom_), odom) : geometry::Pose{};
   odom_ = odom;
+  if (std::hypot(by_wheels.x_m, by_wheels.y_m) > most_step_m) {
+    motion_.begin_anew();
+    return stay();
+  }
+  const auto [step, covariance] = motion_.on_scan(hits, by_wheels);
   const double way_m = std::hypot(step.x_m, step.y_m);
-  if (way_m > most_step_m) return stay();
   const double turn_rad = std::abs(geometry::wrap_angle(step.heading_rad));
   const double moved = way_m + turn_rad / 2;
   moved_ += moved;
@@ -137,6 +141,7 @@ void Localiser::move(const geometry::Pose& odom) {
     belief.covariance = turn * belief.covariance * turn.transpose();
     belief.covariance.diagonal() +=
         Eigen::Vector3d(along_m * along_m, along_m * along_m, turned_rad * turned_rad);
+    if (covariance) belief.covariance.diagonal() += covariance->diagonal();
     belief.pose = compose(belief.pose, step);
   }
 }

@@ -11,6 +11,7 @@
 #include "laser_geometry/scan.hpp"
 #include "localisation/distance_map.hpp"
 #include "localisation/map_match.hpp"
+#include "localisation/scan_motion.hpp"
 #include "navigation/occupancy_map.hpp"
 
 namespace tocsin::localisation {
@@ -77,7 +78,7 @@ class Localiser {
     double log_likelihood = 0;  ///< mean of the beams
   };
   void stay();
-  void move(const geometry::Pose& odom);
+  void move(const laser::Points& hits, const geometry::Pose& odom);
   void settle(Hypothesis& hypothesis, const laser::Points& hits);
   [[nodiscard]] Evidence evidence_of(const laser::Scan& scan, const geometry::Pose& pose) const;
   void weigh(const laser::Scan& scan);
@@ -91,6 +92,7 @@ class Localiser {
   navigation::OccupancyMap map_;
   DistanceMap distances_;
   LocaliserParams params_;
+  ScanMotion motion_;
   std::vector<Hypothesis> hypotheses_;  ///< likeliest first
   std::optional<laser::Scan> last_scan_;
   std::optional<geometry::Pose> odom_;
