@@ -14,13 +14,15 @@ namespace {
 constexpr std::size_t most_hypotheses = 40;
 constexpr std::size_t matched_hits = 120;
 constexpr std::size_t weighed_beams = 45;
-constexpr double wall_m = 0.12;    // a hit so near to a wall is of the wall
-constexpr double through_m = 0.3;  // so far behind a wall no beam ends
-constexpr double witnesses = 8;    // that the beams of a scan count for
-constexpr double fading = 0.95;    // of evidence, each time some is counted
-constexpr double counts_at = 0.1;  // of `moved_`
-constexpr double hopeless = 14;    // less evidence than the best by so much
-constexpr double sure = 0.995;     // weight of a hypothesis that is alone
+constexpr double wall_m = 0.12;      // a hit so near to a wall is of the wall
+constexpr double through_m = 0.3;    // so far behind a wall no beam ends
+constexpr double witnesses = 8;      // that the beams of a scan count for
+constexpr double fading = 0.95;      // of evidence, each time some is counted
+constexpr double counts_at = 0.1;    // of `moved_`
+constexpr double hopeless = 20;      // less evidence than the best by so much
+constexpr double decided = 12;       // more evidence than any other, to become sure
+constexpr double carried_off = 0.3;  // less of a scan lies where the one before had something
+constexpr double sure = 0.995;       // weight of a hypothesis that is alone
 constexpr double same_m = 0.25;
 constexpr double same_rad = 15 * degree;
 constexpr int scans_to_lose = 8;
@@ -108,6 +110,17 @@ std::optional<Localiser::Estimate> Localiser::update(const laser::Scan& scan,
   return estimate();
 }
 
+/// The vehicle stands elsewhere at once: where it was is a guess like others.
+void Localiser::doubt() {
+  if (hypotheses_.empty()) return;
+  hypotheses_.resize(1);
+  hypotheses_.front().evidence = 0;
+  was_tracked_ = false;
+  searches_ = 0;
+  since_jump_m_ = 0;
+  since_search_ = 2 * search_every;
+}
+
 /// Odometry has begun anew: the vehicle is about where it was.
 void Localiser::stay() {
   for (Hypothesis& hypothesis : hypotheses_) {
@@ -122,7 +135,8 @@ void Localiser::move(const laser::Points& hits, const geometry::Pose& odom) {
     motion_.begin_anew();
     return stay();
   }
-  const auto [step, covariance] = motion_.on_scan(hits, by_wheels);
+  const auto [step, covariance, seen_before] = motion_.on_scan(hits, by_wheels);
+  if (seen_before < carried_off) doubt();
   const double way_m = std::hypot(step.x_m, step.y_m);
   const double turn_rad = std::abs(geometry::wrap_angle(step.heading_rad));
   const double moved = way_m + turn_rad / 2;
@@ -284,7 +298,9 @@ Health Localiser::health_of_best() {
   // Who stands sees one place only: more searches, and a better fit.
   const bool has_moved = since_jump_m_ >= way_before_trust_m && searches_ >= searches_before_trust;
   const bool has_looked = searches_ >= 3 * searches_before_trust && best.explained > well_explained;
-  const bool is_alone = best.weight > sure && (has_moved || has_looked);
+  const double lead = hypotheses_.size() < 2 ? infinity : best.evidence - hypotheses_[1].evidence;
+  const bool leads = was_tracked_ ? best.weight > sure : lead > decided;
+  const bool is_alone = leads && (has_moved || has_looked);
   const bool fits = best.explained > std::max(params_.lost_below + 0.05, usual_ - 0.2) &&
                     best.through < most_through;
   was_tracked_ = is_alone && fits;

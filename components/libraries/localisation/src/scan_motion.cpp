@@ -4,6 +4,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 #include <vector>
 
 #include "foundation/numbers.hpp"
@@ -19,10 +21,11 @@ constexpr double hit_reach_m = 4.5;  // and of those that are matched with it: i
 constexpr double cell_m = 0.05;
 constexpr double longest_way = 0.5;
 constexpr std::size_t least_hits = 20;
-constexpr double slip_share = 0.3;    // of a step that wheels may lose, usual deviation
+constexpr double witnesses = 40;      // more than of a map, which has not all that is seen
+constexpr double slip_share = 0.6;    // of a step that wheels may lose, usual deviation
 constexpr double usual_share = 0.05;  // what they err when they do not slip
-constexpr double contradiction =
-    12;  // squared, in deviations: 1 of 130 by chance (2 dimensions: 1 of 400)
+constexpr double contradiction = 12;  // squared, in deviations; chance does it once in 130 times
+constexpr double still_slipping = 2;  // the same where they slipped a moment ago
 
 Pose relative(const Pose& from, const Pose& to) {
   const double c = std::cos(from.heading_rad);
@@ -50,6 +53,15 @@ DistanceMap map_of(const laser::Points& hits) {
   return DistanceMap({grid, std::move(cells)});
 }
 
+double seen_before(const DistanceMap& key, const laser::Points& hits, const Pose& pose) {
+  constexpr double same_m = 0.15;
+  double count = 0;
+  for (const geometry::Point& hit : laser::transformed(hits, pose)) {
+    if (key.nearest_m(hit) < same_m) ++count;
+  }
+  return count / static_cast<double>(hits.size());
+}
+
 /// Deviations of a step if so much of it may be wrong.
 Eigen::Vector3d deviations(const Pose& step, double share) {
   const double way_m = std::hypot(step.x_m, step.y_m);
@@ -60,6 +72,7 @@ Eigen::Vector3d deviations(const Pose& step, double share) {
 }  // namespace
 
 void ScanMotion::begin(const laser::Points& hits) {
+  was_slipping_ = std::exchange(is_slipping_, false);
   key_.reset();
   by_scans_ = {};
   by_scans_.covariance = Eigen::Vector3d(1e-6, 1e-6, 1e-6).asDiagonal();
@@ -69,13 +82,14 @@ void ScanMotion::begin(const laser::Points& hits) {
 }
 
 ScanMotion::Step ScanMotion::on_scan(const laser::Points& hits, const Pose& odometry) {
-  Step result{odometry, std::nullopt};
+  Step result{odometry, std::nullopt, 1};
   const laser::Points near = within(hits, hit_reach_m);
   if (key_ && near.size() >= least_hits) {
     const Eigen::Vector3d loose = deviations(odometry, slip_share);
     by_scans_.pose = compose(by_scans_.pose, odometry);
     by_scans_.covariance.diagonal() += loose.cwiseAbs2();
-    by_scans_ = match(*key_, near, by_scans_);
+    by_scans_ = match(*key_, near, by_scans_, witnesses);
+    result.seen_before = seen_before(*key_, near, by_scans_.pose);
     by_wheels_ = compose(by_wheels_, odometry);
     way_ += std::hypot(odometry.x_m, odometry.y_m) + std::abs(odometry.heading_rad);
     const Pose off = relative(by_wheels_, by_scans_.pose);
@@ -83,9 +97,12 @@ ScanMotion::Step ScanMotion::on_scan(const laser::Points& hits, const Pose& odom
     together.diagonal() += deviations(by_wheels_, usual_share).cwiseAbs2();
     const Eigen::Vector3d miss(off.x_m, off.y_m, off.heading_rad);
     const Pose before = told_;
-    if (miss.dot(together.inverse() * miss) > contradiction) {
+    is_slipping_ =
+        miss.dot(together.inverse() * miss) > (was_slipping_ ? still_slipping : contradiction);
+    if (is_slipping_) {
       told_ = by_scans_.pose;
-      result = {relative(before, told_), by_scans_.covariance};
+      result.step = relative(before, told_);
+      result.covariance = by_scans_.covariance;
     } else {
       told_ = compose(told_, odometry);
     }

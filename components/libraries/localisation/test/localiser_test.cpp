@@ -176,7 +176,7 @@ TEST_F(LocaliserTest, SaysNothingBeforeAStartAndOfScansThatAreNone) {
   sut.start_at(truth_, 0.1, 0.1);
   EXPECT_TRUE(step());
   EXPECT_FALSE(sut.update({}, odom_));
-  EXPECT_FALSE(sut.update({{}, {{1, 0}}, {}}, {nan, 0, 0}));
+  EXPECT_FALSE(sut.update({{}, {{1, 0}}, {}, {}}, {nan, 0, 0}));
   EXPECT_TRUE(step());
 }
 

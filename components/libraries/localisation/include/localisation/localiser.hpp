@@ -78,6 +78,7 @@ class Localiser {
     double log_likelihood = 0;  ///< mean of the beams
   };
   void stay();
+  void doubt();
   void move(const laser::Points& hits, const geometry::Pose& odom);
   void settle(Hypothesis& hypothesis, const laser::Points& hits);
   [[nodiscard]] Evidence evidence_of(const laser::Scan& scan, const geometry::Pose& pose) const;

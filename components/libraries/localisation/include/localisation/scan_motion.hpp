@@ -21,6 +21,7 @@ class ScanMotion {
   struct Step {
     geometry::Pose step;
     std::optional<Eigen::Matrix3d> covariance;  ///< of it, where the scans decide
+    double seen_before = 1;  ///< share of the hits that lie where something was [range 0,1]
   };
 
   /// A scan, and the step of the odometry since the last one.
@@ -35,6 +36,8 @@ class ScanMotion {
   Belief by_scans_;
   geometry::Pose by_wheels_;
   geometry::Pose told_;
+  bool is_slipping_ = false;   ///< by the last scan
+  bool was_slipping_ = false;  ///< at the end of the scan before that the others were matched with
   double way_ = 0;  ///< of the wheels; 1 m or 1 rad are 1
 };
 
