@@ -3,23 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "foundation/numbers.hpp"
 
 namespace tocsin::localisation {
 namespace {
 
-constexpr int headings = 60;
 constexpr double lattice_m = 0.2;
 constexpr std::size_t tried_hits = 40;
 constexpr double apart_m = 0.5;
 constexpr double apart_rad = 20 * degree;
 constexpr double blur_m = 0.3;
-
-struct Candidate {
-  geometry::Pose pose;
-  float score = 0;
-};
 
 /// Columns and rows of hits from the cell of the vehicle.
 struct Offsets {
@@ -60,11 +55,43 @@ bool is_near(const geometry::Pose& a, const geometry::Pose& b) {
          std::abs(geometry::wrap_angle(a.heading_rad - b.heading_rad)) < apart_rad;
 }
 
-std::vector<geometry::Pose> best_of(std::vector<Candidate>& candidates, std::size_t most) {
-  std::sort(candidates.begin(), candidates.end(),
+}  // namespace
+
+void GlobalSearch::begin(laser::Points hits) {
+  hits_ = std::move(hits);
+  candidates_.clear();
+  best_score_ = 0;
+  next_ = hits_.empty() ? headings : 0;
+}
+
+void GlobalSearch::work(int count) {
+  for (const int end = std::min(headings, next_ + count); next_ < end; ++next_) {
+    try_heading(geometry::wrap_angle(next_ * 2 * pi / headings));
+  }
+}
+
+void GlobalSearch::try_heading(double heading_rad) {
+  const navigation::Grid& grid = map_.grid();
+  const int step = std::max(1, static_cast<int>(lattice_m / grid.resolution_m));
+  const Offsets offsets = offsets_of(hits_, heading_rad, grid.resolution_m);
+  for (int row = step / 2; row < grid.height; row += step) {
+    for (int column = step / 2; column < grid.width; column += step) {
+      const navigation::CellIndex cell{column, row};
+      if (map_.at(cell) != navigation::Cell::free) continue;
+      const float score = score_at(distances_, offsets, cell);
+      if (score < 0.6F * best_score_) continue;
+      best_score_ = std::max(best_score_, score);
+      const geometry::Point at = grid.centre(cell);
+      candidates_.push_back({{at.x_m, at.y_m, heading_rad}, score});
+    }
+  }
+}
+
+std::vector<geometry::Pose> GlobalSearch::best(std::size_t most) {
+  std::sort(candidates_.begin(), candidates_.end(),
             [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
   std::vector<geometry::Pose> best;
-  for (const Candidate& candidate : candidates) {
+  for (const Candidate& candidate : candidates_) {
     const bool is_new = std::none_of(best.begin(), best.end(), [&](const geometry::Pose& pose) {
       return is_near(pose, candidate.pose);
     });
@@ -72,34 +99,6 @@ std::vector<geometry::Pose> best_of(std::vector<Candidate>& candidates, std::siz
     if (best.size() == most) break;
   }
   return best;
-}
-
-}  // namespace
-
-std::vector<geometry::Pose> search_everywhere(const navigation::OccupancyMap& map,
-                                              const DistanceMap& distances,
-                                              const laser::Points& hits, std::size_t most) {
-  std::vector<Candidate> candidates;
-  if (hits.empty()) return {};
-  const navigation::Grid& grid = map.grid();
-  const int step = std::max(1, static_cast<int>(lattice_m / grid.resolution_m));
-  float best = 0;
-  for (int i = 0; i < headings; ++i) {
-    const double heading_rad = geometry::wrap_angle(i * 2 * pi / headings);
-    const Offsets offsets = offsets_of(hits, heading_rad, grid.resolution_m);
-    for (int row = step / 2; row < grid.height; row += step) {
-      for (int column = step / 2; column < grid.width; column += step) {
-        const navigation::CellIndex cell{column, row};
-        if (map.at(cell) != navigation::Cell::free) continue;
-        const float score = score_at(distances, offsets, cell);
-        if (score < 0.6F * best) continue;
-        best = std::max(best, score);
-        const geometry::Point at = grid.centre(cell);
-        candidates.push_back({{at.x_m, at.y_m, heading_rad}, score});
-      }
-    }
-  }
-  return best_of(candidates, most);
 }
 
 }  // namespace tocsin::localisation

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "foundation/numbers.hpp"
-#include "localisation/global_search.hpp"
 
 namespace tocsin::localisation {
 namespace {
@@ -27,12 +26,14 @@ constexpr double same_m = 0.25;
 constexpr double same_rad = 15 * degree;
 constexpr int scans_to_lose = 8;
 constexpr double way_before_trust_m = 1.5;
-constexpr int searches_before_trust = 4;
+constexpr int searches_before_trust = 3;
 constexpr double search_every = 0.3;  // of `since_search_`
 constexpr int scans_to_search = 5;
 constexpr double most_through = 0.1;  // of the beams of a pose that is right
 constexpr double well_explained = 0.75;
 constexpr std::size_t searched_candidates = 200;
+constexpr int headings_a_scan = 8;
+constexpr std::size_t candidates_a_scan = 34;
 constexpr double smoothing = 0.2;
 constexpr double most_step_m = 1.5;  // of odometry from scan to scan
 
@@ -64,10 +65,11 @@ double apart(const geometry::Pose& a, const geometry::Pose& b) {
 }  // namespace
 
 Localiser::Localiser(navigation::OccupancyMap map, const LocaliserParams& params)
-    : map_(std::move(map)), distances_(map_), params_(params) {}
+    : map_(std::move(map)), distances_(map_), params_(params), search_(map_, distances_) {}
 
 void Localiser::start_at(const geometry::Pose& pose, double deviation_m, double deviation_rad) {
   hypotheses_.clear();
+  end_search();
   is_anywhere_ = false;
   badly_explained_ = 0;
   since_jump_m_ = way_before_trust_m;
@@ -85,6 +87,7 @@ void Localiser::start_at(const geometry::Pose& pose, double deviation_m, double 
 
 void Localiser::start_anywhere() {
   hypotheses_.clear();
+  end_search();
   is_anywhere_ = true;
   was_tracked_ = false;
   since_jump_m_ = 0;
@@ -104,7 +107,7 @@ std::optional<Localiser::Estimate> Localiser::update(const laser::Scan& scan,
   for (Hypothesis& hypothesis : hypotheses_) settle(hypothesis, hits);
   weigh(scan);
   ++scans_since_search_;
-  if (wants_search()) search(scan, hits);
+  search(scan, hits);
   prune();
   if (hypotheses_.empty()) return std::nullopt;
   return estimate();
@@ -114,6 +117,7 @@ std::optional<Localiser::Estimate> Localiser::update(const laser::Scan& scan,
 void Localiser::doubt() {
   if (hypotheses_.empty()) return;
   hypotheses_.resize(1);
+  end_search();
   hypotheses_.front().evidence = 0;
   was_tracked_ = false;
   searches_ = 0;
@@ -158,6 +162,7 @@ void Localiser::move(const laser::Points& hits, const geometry::Pose& odom) {
     if (covariance) belief.covariance.diagonal() += covariance->diagonal();
     belief.pose = compose(belief.pose, step);
   }
+  moved_since_search_ = compose(moved_since_search_, step);
 }
 
 /// Where odometry does not fit (a wheel has slipped), the scan alone may.
@@ -217,25 +222,51 @@ void Localiser::weigh(const laser::Scan& scan) {
   }
 }
 
-/// New hypotheses begin with what this scan says of them beside the likeliest one, as if it had
-/// been seen five times; behind it when it was sure, and the more, the oftener they were not found
-/// before.
+/// Where there is no guess at all, everything at once; else a part with each scan.
 void Localiser::search(const laser::Scan& scan, const laser::Points& hits) {
-  constexpr double as_often = 5;
-  constexpr double behind = 8;
-  ++searches_;
+  const bool is_idle = !search_.is_running() && candidates_.empty();
+  if (is_idle && !wants_search()) return;
+  if (is_idle) begin_search(hits);
+  const bool is_first = hypotheses_.empty();
+  if (search_.is_running()) {
+    search_.work(is_first ? GlobalSearch::headings : headings_a_scan);
+    if (search_.is_running()) return;
+    candidates_ = search_.best(searched_candidates);
+    std::reverse(candidates_.begin(), candidates_.end());
+    if (!is_first) return;
+  }
+  try_candidates(scan, hits, is_first ? searched_candidates : candidates_a_scan);
+  if (candidates_.empty()) ++searches_;
+}
+
+void Localiser::begin_search(const laser::Points& hits) {
+  search_.begin(hits);
+  moved_since_search_ = {};
   since_search_ = 0;
   scans_since_search_ = 0;
   is_anywhere_ = false;
-  const double late = std::min(behind, 2.0 * (searches_ - 1));
+}
+
+void Localiser::end_search() {
+  search_.end();
+  candidates_.clear();
+}
+
+/// New hypotheses begin with what this scan says of them beside the likeliest one, as if it had
+/// been seen five times; behind it when it was sure, and the more, the oftener they were not found
+/// before.
+void Localiser::try_candidates(const laser::Scan& scan, const laser::Points& hits,
+                               std::size_t most) {
+  constexpr double as_often = 5;
+  constexpr double behind = 8;
+  const double late = std::min(behind, 2.0 * searches_);
   const bool is_first = hypotheses_.empty();
   const double best = is_first ? 0 : hypotheses_.front().evidence;
   const double best_says =
       is_first ? 0 : evidence_of(scan, hypotheses_.front().belief.pose).log_likelihood;
-  for (const geometry::Pose& pose :
-       search_everywhere(map_, distances_, hits, searched_candidates)) {
+  for (; most > 0 && !candidates_.empty(); --most, candidates_.pop_back()) {
     Belief belief;
-    belief.pose = pose;
+    belief.pose = compose(candidates_.back(), moved_since_search_);
     belief.covariance = Eigen::Vector3d(0.04, 0.04, 0.02).asDiagonal();
     belief = match(distances_, hits, belief);
     const Evidence evidence = evidence_of(scan, belief.pose);
@@ -297,7 +328,7 @@ Health Localiser::health_of_best() {
   }
   // Who stands sees one place only: more searches, and a better fit.
   const bool has_moved = since_jump_m_ >= way_before_trust_m && searches_ >= searches_before_trust;
-  const bool has_looked = searches_ >= 3 * searches_before_trust && best.explained > well_explained;
+  const bool has_looked = searches_ >= 2 * searches_before_trust && best.explained > well_explained;
   const double lead = hypotheses_.size() < 2 ? infinity : best.evidence - hypotheses_[1].evidence;
   const bool leads = was_tracked_ ? best.weight > sure : lead > decided;
   const bool is_alone = leads && (has_moved || has_looked);

@@ -53,13 +53,22 @@ DistanceMap map_of(const laser::Points& hits) {
   return DistanceMap({grid, std::move(cells)});
 }
 
+/// Hits that are not of somebody who stands close.
+laser::Points far_of(const laser::Points& hits) {
+  constexpr double close_m = 0.7;
+  laser::Points far;
+  std::copy_if(hits.begin(), hits.end(), std::back_inserter(far),
+               [](const geometry::Point& hit) { return std::hypot(hit.x_m, hit.y_m) > close_m; });
+  return far;
+}
+
 double seen_before(const DistanceMap& key, const laser::Points& hits, const Pose& pose) {
   constexpr double same_m = 0.15;
-  double count = 0;
-  for (const geometry::Point& hit : laser::transformed(hits, pose)) {
-    if (key.nearest_m(hit) < same_m) ++count;
-  }
-  return count / static_cast<double>(hits.size());
+  const laser::Points placed = laser::transformed(far_of(hits), pose);
+  const auto count = std::count_if(placed.begin(), placed.end(), [&](const geometry::Point& hit) {
+    return key.nearest_m(hit) < same_m;
+  });
+  return static_cast<double>(count) / static_cast<double>(placed.size());
 }
 
 /// Deviations of a step if so much of it may be wrong.
@@ -71,6 +80,11 @@ Eigen::Vector3d deviations(const Pose& step, double share) {
 
 }  // namespace
 
+/// Whether somebody stands so close that the scan shows little of what is around.
+bool ScanMotion::is_hidden(const laser::Points& hits) const {
+  return static_cast<double>(far_of(hits).size()) < 0.6 * usual_hits_;
+}
+
 void ScanMotion::begin(const laser::Points& hits) {
   was_slipping_ = std::exchange(is_slipping_, false);
   key_.reset();
@@ -78,18 +92,22 @@ void ScanMotion::begin(const laser::Points& hits) {
   by_scans_.covariance = Eigen::Vector3d(1e-6, 1e-6, 1e-6).asDiagonal();
   by_wheels_ = told_ = {};
   way_ = 0;
-  if (within(hits, key_reach_m).size() >= least_hits) key_.emplace(map_of(hits));
+  if (!is_hidden(hits) && within(hits, key_reach_m).size() >= least_hits) {
+    key_.emplace(map_of(hits));
+  }
 }
 
 ScanMotion::Step ScanMotion::on_scan(const laser::Points& hits, const Pose& odometry) {
   Step result{odometry, std::nullopt, 1};
   const laser::Points near = within(hits, hit_reach_m);
+  usual_hits_ = std::max(static_cast<double>(hits.size()), 0.99 * usual_hits_);
+  const bool is_hidden = this->is_hidden(hits) || far_of(near).size() < least_hits;
   if (key_ && near.size() >= least_hits) {
     const Eigen::Vector3d loose = deviations(odometry, slip_share);
     by_scans_.pose = compose(by_scans_.pose, odometry);
     by_scans_.covariance.diagonal() += loose.cwiseAbs2();
     by_scans_ = match(*key_, near, by_scans_, witnesses);
-    result.seen_before = seen_before(*key_, near, by_scans_.pose);
+    if (!is_hidden) result.seen_before = seen_before(*key_, near, by_scans_.pose);
     by_wheels_ = compose(by_wheels_, odometry);
     way_ += std::hypot(odometry.x_m, odometry.y_m) + std::abs(odometry.heading_rad);
     const Pose off = relative(by_wheels_, by_scans_.pose);

@@ -72,6 +72,20 @@ TEST(ScanMotion, SeesThatItStandsElsewhereAtOnce) {
   EXPECT_EQ(corridor.step(0.05, 0.05).seen_before, 1) << "nothing to compare with";
 }
 
+TEST(ScanMotion, SomebodyWhoStandsCloseIsNoOtherPlace) {
+  Corridor corridor(true);
+  for (int i = 0; i < 10; ++i) (void)corridor.step(0.05, 0.05);
+  const auto here = corridor.obstacles;
+  for (const double bearing_rad : {0.0, 1.1, 2.2, 3.3, 4.4}) {
+    corridor.obstacles.discs.push_back({{corridor.truth.x_m + 0.4 * std::cos(bearing_rad),
+                                         corridor.truth.y_m + 0.4 * std::sin(bearing_rad)},
+                                        0.2});
+  }
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(corridor.step(0, 0).seen_before, 1);
+  corridor.obstacles = here;
+  for (int i = 0; i < 10; ++i) EXPECT_GT(corridor.step(0.05, 0.05).seen_before, 0.8);
+}
+
 TEST(ScanMotion, SaysNothingOfScansThatHaveHardlyAnyHits) {
   ScanMotion sut;
   const laser::Points few(19, {1, 1});

@@ -135,10 +135,7 @@ void LocaliserComponent::take_scan(Time now) {
   if (estimate->health == Health::tracked) {
     map_from_odom_ = compose(estimate->belief.pose, inverse(*odom));
   }
-  builtin_interfaces::msg::Time stamp;
-  constexpr std::int64_t ns_per_s = 1'000'000'000;
-  stamp.sec(static_cast<std::int32_t>(turn->stamp_ns / ns_per_s));
-  stamp.nanosec(static_cast<std::uint32_t>(turn->stamp_ns % ns_per_s));
+  const builtin_interfaces::msg::Time stamp = stamp_of(turn->stamp_ns);
   publish(*estimate, stamp);
   publish_cloud(stamp, now);
   if (told_ == estimate->health) return;
@@ -148,31 +145,11 @@ void LocaliserComponent::take_scan(Time now) {
 
 void LocaliserComponent::publish(const Localiser::Estimate& estimate,
                                  const builtin_interfaces::msg::Time& stamp) {
-  topic::AmclPose::Message message;
-  message.header().stamp(stamp);
-  message.header().frame_id("map");
-  message.pose().pose(geometry::pose_message<geometry_msgs::msg::Pose>(estimate.belief.pose));
-  constexpr std::array<std::size_t, 3> rows{0, 1, 5};  // x, y, heading of six
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-      message.pose().covariance()[6 * rows[i] + rows[k]] =
-          estimate.belief.covariance(static_cast<int>(i), static_cast<int>(k));
-    }
-  }
-  if (pose_.write(std::move(message)) == Status::failed) log().warn("a pose was not sent");
-  if (estimate.health != Health::tracked) return;
-  geometry_msgs::msg::TransformStamped transform;
-  transform.header().stamp(stamp);
-  transform.header().frame_id("map");
-  transform.child_frame_id("odom");
-  transform.transform().translation().x(map_from_odom_.x_m);
-  transform.transform().translation().y(map_from_odom_.y_m);
-  const geometry::Quaternion turned = geometry::quaternion_of(map_from_odom_.heading_rad);
-  transform.transform().rotation().z(turned.z);
-  transform.transform().rotation().w(turned.w);
-  topic::Tf::Message transforms;
-  transforms.transforms().push_back(transform);
-  if (tf_.write(std::move(transforms)) == Status::failed) log().warn("a transform was not sent");
+  const Eigen::Matrix3d& c = estimate.belief.covariance;
+  pose_.publish_pose(
+      estimate.belief.pose,
+      {c(0, 0), c(0, 1), c(0, 2), c(1, 0), c(1, 1), c(1, 2), c(2, 0), c(2, 1), c(2, 2)}, stamp);
+  if (estimate.health == Health::tracked) pose_.publish_transform(map_from_odom_, stamp);
 }
 
 void LocaliserComponent::publish_cloud(const builtin_interfaces::msg::Time& stamp, Time now) {

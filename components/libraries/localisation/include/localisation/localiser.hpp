@@ -10,6 +10,7 @@
 #include "geometry/pose.hpp"
 #include "laser_geometry/scan.hpp"
 #include "localisation/distance_map.hpp"
+#include "localisation/global_search.hpp"
 #include "localisation/map_match.hpp"
 #include "localisation/scan_motion.hpp"
 #include "navigation/occupancy_map.hpp"
@@ -40,7 +41,7 @@ constexpr std::array<const char*, 3> words_of(Health) { return {"lost", "uncerta
 /// ends early (a box, a person) a little against it, one that went through a wall much. Evidence
 /// counts when the vehicle has moved, and fades, so that two rooms that are alike stay two
 /// hypotheses. Until one is sure, and when the map explains less than it did, poses everywhere are
-/// tried again.
+/// tried again, in parts, scan by scan, so that no update takes long; the first time at once.
 ///
 /// Pure and deterministic.
 class Localiser {
@@ -61,6 +62,8 @@ class Localiser {
   };
 
   Localiser(navigation::OccupancyMap map, const LocaliserParams& params);
+  Localiser(const Localiser&) = delete;
+  Localiser& operator=(const Localiser&) = delete;
 
   /// The vehicle is there, to about `deviation_m` and `deviation_rad`.
   void start_at(const geometry::Pose& pose, double deviation_m, double deviation_rad);
@@ -83,7 +86,10 @@ class Localiser {
   void settle(Hypothesis& hypothesis, const laser::Points& hits);
   [[nodiscard]] Evidence evidence_of(const laser::Scan& scan, const geometry::Pose& pose) const;
   void weigh(const laser::Scan& scan);
+  void begin_search(const laser::Points& hits);
+  void end_search();
   void search(const laser::Scan& scan, const laser::Points& hits);
+  void try_candidates(const laser::Scan& scan, const laser::Points& hits, std::size_t most);
   void add(const Belief& belief, double evidence, const Evidence& seen);
   void prune();
   [[nodiscard]] bool wants_search() const;
@@ -93,6 +99,9 @@ class Localiser {
   navigation::OccupancyMap map_;
   DistanceMap distances_;
   LocaliserParams params_;
+  GlobalSearch search_;
+  std::vector<geometry::Pose> candidates_;  ///< that it has found, the best last
+  geometry::Pose moved_since_search_;       ///< since the scan that is looked for
   ScanMotion motion_;
   std::vector<Hypothesis> hypotheses_;  ///< likeliest first
   std::optional<laser::Scan> last_scan_;

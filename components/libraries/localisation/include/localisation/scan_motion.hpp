@@ -30,15 +30,17 @@ class ScanMotion {
   void begin_anew() { key_.reset(); }
 
  private:
+  [[nodiscard]] bool is_hidden(const laser::Points& hits) const;
   void begin(const laser::Points& hits);
 
   std::optional<DistanceMap> key_;  ///< of the scan that the others are matched with; its frame:
   Belief by_scans_;
   geometry::Pose by_wheels_;
   geometry::Pose told_;
+  double usual_hits_ = 0;
   bool is_slipping_ = false;   ///< by the last scan
   bool was_slipping_ = false;  ///< at the end of the scan before that the others were matched with
-  double way_ = 0;  ///< of the wheels; 1 m or 1 rad are 1
+  double way_ = 0;             ///< of the wheels; 1 m or 1 rad are 1
 };
 
 }  // namespace tocsin::localisation

@@ -8,6 +8,7 @@
 #include "foundation/state_file.hpp"
 #include "geometry/pose.hpp"
 #include "localisation/localiser.hpp"
+#include "map_ports/pose_output.hpp"
 #include "ros_idl/std_srvs.hpp"
 #include "runtime/component.hpp"
 #include "runtime/port.hpp"
@@ -67,8 +68,7 @@ class LocaliserComponent final : public Component {
   ScanInput scan_{*this};
   OptionalInput<topic::InitialPose> initial_pose_{*this};
   Server<ReinitializeGlobalLocalization> reinitialize_{*this};
-  Output<topic::AmclPose> pose_{*this};
-  Output<topic::Tf> tf_{*this};
+  PoseOutput pose_{*this};
   Output<topic::ParticleCloud> cloud_{*this};
   Output<topic::Diagnostics> diagnostics_{*this};
 
