@@ -11,7 +11,7 @@ namespace tocsin::navigation {
 namespace {
 
 constexpr std::int64_t largest_grid = 25'000'000;  // as load_map takes
-constexpr int most_index = 1'000'000;            // to all sides: 3,200 km
+constexpr int most_index = 1'000'000;              // to all sides: 3,200 km
 constexpr std::size_t cells_a_tile = std::size_t{TileMap::side} * TileMap::side;
 constexpr std::size_t cells_a_byte = 4;
 constexpr std::array<Cell, 3> cell_of_code{Cell::unknown, Cell::free, Cell::occupied};
