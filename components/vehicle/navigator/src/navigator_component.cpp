@@ -114,6 +114,7 @@ void NavigatorComponent::take_localiser(Time now) {
   const auto message = amcl_pose_->take_latest();
   if (!message) return;
   const auto& covariance = message->pose().covariance();
+  covariance_ = covariance;
   constexpr std::size_t y = 7;  // of six rows and columns
   localiser_pose_.on_localiser(stamp_ns_of(message->header()),
                                geometry::pose_in(message->pose().pose()),
@@ -166,6 +167,7 @@ void NavigatorComponent::report_location(Time now) {
   message.header().stamp(wall(now));
   message.header().frame_id("map");
   message.pose().pose(geometry::pose_message<geometry_msgs::msg::Pose>(*pose_));
+  message.pose().covariance(covariance_);
   geometry_msgs::msg::PoseStamped at;
   at.header(message.header());
   at.pose(message.pose().pose());

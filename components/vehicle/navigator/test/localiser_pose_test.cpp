@@ -92,6 +92,7 @@ TEST_F(LocalisedNavigatorTest, DrivesByItsLocaliserAndStandsWhileThatIsNotSure) 
   send_goal(1, 4);
   drive(2);
   EXPECT_EQ(status_.state(), "driving");
+  EXPECT_EQ(locations_.take().back().pose().covariance()[0], 0.001) << "the station is told, too";
   variance_m2_ = 1;
   drive(0.8);
   EXPECT_EQ(status_.state(), "held");

@@ -100,6 +100,7 @@ class NavigatorComponent final : public Component {
   OdometryLocaliser localiser_;
   LocaliserPose localiser_pose_;
   std::optional<geometry::Pose> pose_;
+  std::array<double, 36> covariance_{};  ///< of the localiser
   bool has_new_map_ = false;
   Time next_map_{};
   Time next_turn_{};
