@@ -21,11 +21,11 @@ constexpr double hit_reach_m = 4.5;  // and of those that are matched with it: i
 constexpr double cell_m = 0.05;
 constexpr double longest_way = 0.5;
 constexpr std::size_t least_hits = 20;
-constexpr double witnesses = 40;      // more than of a map, which has not all that is seen
-constexpr double slip_share = 0.6;    // of a step that wheels may lose, usual deviation
-constexpr double usual_share = 0.05;  // what they err when they do not slip
-constexpr double contradiction = 12;  // squared, in deviations; chance does it once in 130 times
-constexpr double still_slipping = 2;  // the same where they slipped a moment ago
+constexpr double scan_witnesses = 40;  // more than of a map, which has not all that is seen
+constexpr double slip_share = 0.6;     // of a step that wheels may lose, usual deviation
+constexpr double usual_share = 0.05;   // what they err when they do not slip
+constexpr double contradiction = 12;   // squared, in deviations; chance does it once in 130 times
+constexpr double still_slipping = 2;   // the same where they slipped a moment ago
 
 Pose relative(const Pose& from, const Pose& to) {
   const double c = std::cos(from.heading_rad);
@@ -106,7 +106,7 @@ ScanMotion::Step ScanMotion::on_scan(const laser::Points& hits, const Pose& odom
     const Eigen::Vector3d loose = deviations(odometry, slip_share);
     by_scans_.pose = compose(by_scans_.pose, odometry);
     by_scans_.covariance.diagonal() += loose.cwiseAbs2();
-    by_scans_ = match(*key_, near, by_scans_, witnesses);
+    by_scans_ = match(*key_, near, by_scans_, scan_witnesses);
     if (!is_hidden) result.seen_before = seen_before(*key_, near, by_scans_.pose);
     by_wheels_ = compose(by_wheels_, odometry);
     way_ += std::hypot(odometry.x_m, odometry.y_m) + std::abs(odometry.heading_rad);
