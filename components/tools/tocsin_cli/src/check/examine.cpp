@@ -140,6 +140,7 @@ class Examiner {
       const Lack lack = lack_of(port);
       alone[lack].push_back(port.topic);
       if (lack == Lack::writer) check_reach(end);
+      if (lack == Lack::reader) check_velocity(end);
     }
     for (const auto& [lack, topics] : alone) {
       add(lack == Lack::writer ? Severity::warning : Severity::note,
@@ -163,6 +164,15 @@ class Examiner {
                                  action(reader) + " it on another host, and its scope is host");
       return;
     }
+  }
+
+  /// A part of the velocity chain that nobody follows has no effect, and a brake must have one.
+  void check_velocity(const End& writer) {
+    if (writer.port->topic.rfind("cmd_vel/", 0) != 0) return;
+    const bool is_brake = writer.port->topic == "cmd_vel/checked";
+    add(Severity::warning, writer.node->path() + ": nobody follows its velocity " +
+                               writer.port->topic +
+                               (is_brake ? ": set velocity_smoother.checked to true" : ""));
   }
 
   void check_class(const End& writer) {

@@ -75,6 +75,15 @@ TEST_F(ExamineTest, NotesAWriterWithoutAReader) {
   EXPECT_THAT(found(graph, true), Contains(HasSubstr("nobody reads what it writes: odom")));
 }
 
+TEST_F(ExamineTest, WarnsOfAVelocityThatNobodyFollows) {
+  EXPECT_THAT(found({vehicle("brake", {writes("cmd_vel/checked")})}),
+              ElementsAre("warning: uxv/drive/brake: nobody follows its velocity cmd_vel/checked: "
+                          "set velocity_smoother.checked to true"));
+  EXPECT_THAT(found({vehicle("brake", {writes("cmd_vel/checked")}),
+                     vehicle("smoother", {reads("cmd_vel/checked")})}),
+              IsEmpty());
+}
+
 TEST_F(ExamineTest, AHostTopicDoesNotReachTheOtherHost) {
   EXPECT_THAT(found({vehicle("driver", {writes("odom")}), station("view", {reads("odom")})}),
               ElementsAre(AllOf(HasSubstr("uxv/drive/driver writes it, gcs/desk/view reads it on "
