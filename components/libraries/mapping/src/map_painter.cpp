@@ -46,7 +46,7 @@ TileMap::Tile MapPainter::tile_at(TileMap::Index index) const {
   tile.reserve(std::size_t{TileMap::side} * TileMap::side);
   for (int row = 0; row < TileMap::side; ++row) {
     for (int column = 0; column < TileMap::side; ++column) {
-      tile.push_back(grid_.at(navigation::CellIndex{corner.column + column, corner.row + row}));
+      tile.push_back(grid_.at_cell({corner.column + column, corner.row + row}));
     }
   }
   return tile;

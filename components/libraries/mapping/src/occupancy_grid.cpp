@@ -53,7 +53,7 @@ Cell OccupancyGrid::kind(const GridCell& cell) const {
 
 Cell OccupancyGrid::at(const Point& p) const {
   const auto c = grid_.cell_of(p);
-  return c ? at(*c) : Cell::unknown;
+  return c ? at_cell(*c) : Cell::unknown;
 }
 
 int OccupancyGrid::log_odds(const Point& p) const {

@@ -36,7 +36,7 @@ class OccupancyGrid {
   [[nodiscard]] const navigation::Grid& grid() const { return grid_; }
   /// Unknown outside of the grid.
   [[nodiscard]] navigation::Cell at(const geometry::Point& p) const;
-  [[nodiscard]] navigation::Cell at(navigation::CellIndex c) const {
+  [[nodiscard]] navigation::Cell at_cell(navigation::CellIndex c) const {
     return grid_.contains(c) ? kind(cells_[grid_.offset(c)]) : navigation::Cell::unknown;
   }
   /// [hundredths] 0 where nothing is known.
