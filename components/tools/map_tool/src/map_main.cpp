@@ -10,6 +10,7 @@
 #include "foundation/printable.hpp"
 #include "foundation/read_file.hpp"
 #include "foundation/replace_file.hpp"
+#include "link.hpp"
 #include "navigation/map_writer.hpp"
 #include "replay.hpp"
 #include "save.hpp"
@@ -108,6 +109,27 @@ void declare(CLI::App& app, ContinueOptions& options) {
   app.add_flag("--by-hand", options.by_hand, "you drive, see tocsin teleop; else it explores");
 }
 
+void declare(CLI::App& app, LinkOptions& options) {
+  app.add_option("FILE", options.file, "positions with signal, a line each, columns named")
+      ->required();
+  app.add_option("--columns", options.columns,
+                 "names of the columns to take [those that are usual]")
+      ->type_name("X,Y,SIGNAL");
+  auto* const leave_out =
+      app.add_option("--leave-out", options.leave_out, "share of the places, at random [0.25]")
+          ->check(CLI::Range(0.01, 0.9));
+  app.add_option("--after", options.after, "learns from this first share of the way only")
+      ->check(CLI::Range(0.1, 0.95))
+      ->excludes(leave_out);
+  app.add_option("--seed", options.seed, "of what is left out [1]");
+  app.add_flag("--json", options.json, "one line of JSON");
+}
+
+int print_link(const LinkOptions& options) {
+  std::fputs(link(options).c_str(), stdout);
+  return 0;
+}
+
 int print_cover(const CoverOptions& options) {
   std::fputs(cover(options).c_str(), stdout);
   return 0;
@@ -136,5 +158,10 @@ int main(int argc, char** argv) {
   tocsin::map_tool::declare(*verbs.add("continue", "drives and maps on from where a map was saved",
                                        [&]() -> int { tocsin::map_tool::go_on(session); }),
                             session);
+  tocsin::map_tool::LinkOptions link;
+  tocsin::map_tool::declare(
+      *verbs.add("link", "learns where the signal is good, and how well that foretells the rest",
+                 [&] { return tocsin::map_tool::print_link(link); }),
+      link);
   return verbs.run(argc, argv);
 }
