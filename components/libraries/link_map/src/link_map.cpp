@@ -15,12 +15,13 @@ namespace {
 using geometry::Point;
 
 constexpr double least_dbm = -120;
+constexpr std::size_t most_readings = 64;    // of a place
 constexpr std::size_t learned_places = 350;  // for the field's parameters: the rest says the same
 constexpr int stretches = 6;                 // that are left out, one after the other
 constexpr double normal_95 = 1.96;
-/// What walls and floors do that nobody has driven behind yet: a wall takes 3.4 to 6.9 dB (COST
-/// 231), rooms are about so large. Without it a first room teaches that nothing ever changes.
-constexpr double walls_db2 = 100;
+/// What walls do that nobody has driven behind yet: about two of them, 3.4 to 6.9 dB each (COST
+/// 231), in the width of a room. Without it a first room teaches that nothing ever changes.
+constexpr double walls_db2 = 144;
 constexpr double walls_range_m = 5;
 constexpr double usual_at_1_m_dbm = -40;  // and how far sites differ
 constexpr double usual_at_1_m_db = 10;
@@ -36,6 +37,15 @@ std::vector<T> some_of(const std::vector<T>& all, std::size_t most) {
   std::vector<T> some;
   for (std::size_t i = 0; i < most; ++i) some.push_back(all[i * all.size() / most]);
   return some;
+}
+
+/// Mean of the middle half: fading has a long tail downwards.
+double midmean(std::vector<double>& values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t cut = values.size() / 4;
+  double sum = 0;
+  for (std::size_t i = cut; i < values.size() - cut; ++i) sum += values[i];
+  return sum / static_cast<double>(values.size() - 2 * cut);
 }
 
 double covariance(const Field& field, double distance_m) {
@@ -62,6 +72,7 @@ Eigen::MatrixXd covariance_of(const std::vector<Place>& places, const Field& fie
 std::vector<Place> LinkMap::places_of(const std::vector<Reading>& readings) {
   std::map<std::pair<long, long>, std::size_t> known;
   std::vector<Place> places;
+  std::vector<std::vector<double>> signals;
   for (const Reading& reading : readings) {
     const bool is_good = std::isfinite(reading.at.x_m) && std::isfinite(reading.at.y_m) &&
                          std::abs(reading.at.x_m) < 1e6 && std::abs(reading.at.y_m) < 1e6 &&
@@ -70,13 +81,20 @@ std::vector<Place> LinkMap::places_of(const std::vector<Reading>& readings) {
     const std::pair<long, long> cell{std::lround(std::floor(reading.at.x_m / place_m)),
                                      std::lround(std::floor(reading.at.y_m / place_m))};
     const auto [at, is_new] = known.emplace(cell, places.size());
-    if (is_new) places.push_back({});
+    if (is_new) {
+      places.push_back({});
+      signals.emplace_back();
+    }
     Place& place = places[at->second];
     const double share = 1.0 / ++place.readings;
     place.at.x_m += share * (reading.at.x_m - place.at.x_m);
     place.at.y_m += share * (reading.at.y_m - place.at.y_m);
-    place.signal_dbm += share * (reading.signal_dbm - place.signal_dbm);
+    // The newest push out the oldest.
+    std::vector<double>& kept = signals[at->second];
+    if (kept.size() < most_readings) kept.push_back(reading.signal_dbm);
+    kept[static_cast<std::size_t>(place.readings - 1) % most_readings] = reading.signal_dbm;
   }
+  for (std::size_t i = 0; i < places.size(); ++i) places[i].signal_dbm = midmean(signals[i]);
   return places;
 }
 

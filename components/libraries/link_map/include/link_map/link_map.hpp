@@ -22,7 +22,7 @@ struct Reading {
 /// Readings in a square of `LinkMap::place_m`, together.
 struct Place {
   geometry::Point at;     ///< mean of where they were made
-  double signal_dbm = 0;  ///< mean
+  double signal_dbm = 0;  ///< mean of the middle half of the last readings, at most 64
   int readings = 0;
 };
 
@@ -31,7 +31,7 @@ struct Field {
   double variance_db2 = 20;  ///< a
   double range_m = 2;        ///< b
   double noise_db2 = 9;
-  double walls_db2 = 100;  ///< of the slow part, which no first room can teach
+  double walls_db2 = 144;  ///< of the slow part, which no first room can teach
 };
 
 /// What signal a place has.
