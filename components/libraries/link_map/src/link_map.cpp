@@ -25,7 +25,6 @@ constexpr double walls_db2 = 144;
 constexpr double walls_range_m = 5;
 constexpr double usual_at_1_m_dbm = -40;  // and how far sites differ
 constexpr double usual_at_1_m_db = 10;
-constexpr double usual_exponent = 3;
 constexpr double usual_exponents = 1;
 constexpr double most_far_factor = 4;
 
@@ -98,7 +97,7 @@ std::vector<Place> LinkMap::places_of(const std::vector<Reading>& readings) {
   return places;
 }
 
-LinkMap::LinkMap(std::vector<Place> places) : places_(some_of(places, most_places)) {
+LinkMap::LinkMap(const std::vector<Place>& places) : places_(some_of(places, most_places)) {
   assert(places_.size() >= least_places);
   learn_field();
   learn_far_factor();

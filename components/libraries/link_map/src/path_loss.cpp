@@ -12,7 +12,6 @@ namespace {
 
 using geometry::Point;
 
-constexpr double usual_exponent = 3;
 constexpr double around_m = 15;
 constexpr double lattice_m = 2.5;
 constexpr int steps = 15;            // of a site that is larger

@@ -59,7 +59,7 @@ class LinkMap {
   [[nodiscard]] static std::vector<Place> places_of(const std::vector<Reading>& readings);
 
   /// Learns from places in the order of the way. At least `least_places` are needed.
-  explicit LinkMap(std::vector<Place> places);
+  explicit LinkMap(const std::vector<Place>& places);
   static constexpr std::size_t least_places = 8;
 
   [[nodiscard]] Prediction predict(const geometry::Point& at) const;

@@ -8,11 +8,14 @@
 
 namespace tocsin::link_map {
 
+/// Usual in buildings (n 2 to 4.5 is measured).
+inline constexpr double usual_exponent = 3;
+
 /// Signal by distance: K - 10 n log10(max(d, 1 m)).
 struct PathLoss {
   geometry::Point access_point;
-  double at_1_m_dbm = -40;  ///< K
-  double exponent = 3;      ///< n [range 1,6]
+  double at_1_m_dbm = -40;           ///< K
+  double exponent = usual_exponent;  ///< n [range 1,6]
 
   [[nodiscard]] double signal_dbm(const geometry::Point& at) const;
   /// 1, and -10 log10 of the distance: what K and n are multiplied with.
