@@ -76,7 +76,7 @@ void go_on(const ContinueOptions& options) {
   }
   std::vector<std::string> words{"tocsin",
                                  "launch",
-                                 "map.yaml",
+                                 "mapping.yaml",
                                  "--set",
                                  "mapper.map_name=" + name,
                                  "--set",

@@ -25,7 +25,7 @@ struct ContinueOptions {
   bool by_hand = false;
 };
 
-/// Becomes `tocsin launch map.yaml`, which goes on with NAME.session. Throws ConfigError when there
+/// Becomes `tocsin launch mapping.yaml`, which goes on with NAME.session. Throws ConfigError when there
 /// is none.
 [[noreturn]] void go_on(const ContinueOptions& options);
 

@@ -70,7 +70,7 @@ MapperComponent::Start MapperComponent::start_of(const StateFile& file, const Co
   geometry::Pose kept;
   text >> parent >> kept.x_m >> kept.y_m >> kept.heading_rad;
   const bool is_ours = text && parent == ::getppid() && is_finite(kept);
-  if (is_ours && !own.empty() && exists(own)) return {kept, own};
+  if (is_ours && !own.empty() && exists(own)) return {{}, own, kept};
   const bool goes_on = !own.empty() && own == params.session_file;
   const bool keeps = context.computer.get().keeps_files && !own.empty();
   for (const char* ending : {".yaml", ".session"}) {
@@ -81,7 +81,7 @@ MapperComponent::Start MapperComponent::start_of(const StateFile& file, const Co
           context.name, printable(path)));
     }
   }
-  return {{params.start_x_m, params.start_y_m, params.start_yaw_rad}, params.session_file};
+  return {{params.start_x_m, params.start_y_m, params.start_yaw_rad}, params.session_file, {}};
 }
 
 MapperComponent::MapperComponent(Context& context, const Params& params)
@@ -143,27 +143,34 @@ void MapperComponent::take_scan(Time now) {
   if (!local_) {
     session_ = static_cast<std::uint32_t>(turn->stamp_ns / 1'000'000'000);
     next_save_ = now + seconds(params_.save_every_s);
-    begin(*turn);
+    begin(*turn, *odometry);
   }
   use(*turn, *odometry);
   publish_pose(*odometry, turn->stamp_ns);
 }
 
-void MapperComponent::begin(const ScanInput::Turn& turn) {
-  geometry::Pose start = start_.pose;
+void MapperComponent::begin(const ScanInput::Turn& turn, const geometry::Pose& odometry) {
+  geometry::Pose start =
+      start_.map_from_odom ? compose(*start_.map_from_odom, odometry) : start_.pose;
   if (!start_.session.empty()) {
-    const auto located = worker_.locate(turn.scan, start);
-    if (located) {
-      log().info("goes on with {} at ({:.2f}, {:.2f})", printable(start_.session), located->x_m,
-                 located->y_m);
-    } else {
-      log().warn("{} does not show what is seen at ({:.2f}, {:.2f}): is the vehicle there?",
-                 printable(start_.session), start.x_m, start.y_m);
-    }
-    start = located.value_or(start);
+    start = place_in_session(turn.scan, start);
     worker_.paint(true);
   }
   local_.emplace(mapping::LocalParams{}, start, worker_.nodes_at_start());
+}
+
+geometry::Pose MapperComponent::place_in_session(const laser::Scan& scan,
+                                                 const geometry::Pose& guess) {
+  const auto located = worker_.locate(scan, guess);
+  const geometry::Pose start = located.value_or(guess);
+  if (located || start_.map_from_odom) {
+    log().info("goes on with {} at ({:.2f}, {:.2f})", printable(start_.session), start.x_m,
+               start.y_m);
+  } else {
+    log().warn("{} does not show what is seen at ({:.2f}, {:.2f}): is the vehicle there?",
+               printable(start_.session), guess.x_m, guess.y_m);
+  }
+  return start;
 }
 
 bool MapperComponent::is_full() const {
@@ -328,10 +335,11 @@ void MapperComponent::publish_diagnostics(Time now) {
 void MapperComponent::remember(Time now) {
   if (!file_.keeps() || !local_ || !last_odom_ || now < next_remember_) return;
   next_remember_ = now + second;
-  const geometry::Pose pose = pose_at(*last_odom_);
+  const geometry::Pose map_from_odom = compose(pose_at(*last_odom_), mapping::inverse(*last_odom_));
   std::ostringstream text;
   text.precision(std::numeric_limits<double>::max_digits10);
-  text << ::getppid() << ' ' << pose.x_m << ' ' << pose.y_m << ' ' << pose.heading_rad;
+  text << ::getppid() << ' ' << map_from_odom.x_m << ' ' << map_from_odom.y_m << ' '
+       << map_from_odom.heading_rad;
   if (!file_.save(text.str())) log().warn("the pose cannot be saved for a restart");
 }
 

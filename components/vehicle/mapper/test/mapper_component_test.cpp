@@ -262,6 +262,8 @@ TEST_F(MapperComponentTest, SavesItsMapAtTheEndAndGoesOnWithIt) {
   stop();
   EXPECT_TRUE(std::filesystem::exists(path("room.yaml")));
 
+  // In another launch, whose odometry begins anew.
+  std::filesystem::remove(context_.state_path(".map"));
   params_.session_file = path("room.session");
   params_.start_x_m = truth_.x_m + 0.3;  // about there
   params_.start_y_m = truth_.y_m - 0.3;

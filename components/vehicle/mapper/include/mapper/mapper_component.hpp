@@ -77,7 +77,8 @@ class MapperComponent final : public Component {
  private:
   struct Start {
     geometry::Pose pose;
-    std::string session;  ///< file; empty: a new map
+    std::string session;                          ///< file; empty: a new map
+    std::optional<geometry::Pose> map_from_odom;  ///< of a process of this launch before this one
   };
   struct SaveCall {
     CallId id;
@@ -87,7 +88,9 @@ class MapperComponent final : public Component {
                                       const Params& params);
   void take_odometry();
   void take_scan(Time now);
-  void begin(const ScanInput::Turn& turn);
+  void begin(const ScanInput::Turn& turn, const geometry::Pose& odometry);
+  [[nodiscard]] geometry::Pose place_in_session(const laser::Scan& scan,
+                                                const geometry::Pose& guess);
   void use(const ScanInput::Turn& turn, const geometry::Pose& odometry);
   [[nodiscard]] geometry::Pose pose_at(const geometry::Pose& odometry) const;
   void publish_pose(const geometry::Pose& odometry, std::int64_t stamp_ns);
