@@ -55,6 +55,12 @@ Parts split(const Places& places, const LinkOptions& options) {
   return {{places.begin(), places.begin() + until}, {places.begin() + until, places.end()}};
 }
 
+/// Also of NaN, which a range of CLI11 lets pass.
+void check_share(const char* option, double share, double low, double high) {
+  if (share >= low && share <= high) return;
+  throw ConfigError(fmt::format("{}: {} is outside [{}, {}]", option, share, low, high));
+}
+
 struct Score {
   double map_db = 0;
   double path_loss_db = 0;
@@ -133,6 +139,8 @@ std::string text_of(const LinkMap& map, const Parts& parts, const Score& score) 
 }  // namespace
 
 std::string link(const LinkOptions& options) {
+  check_share("--leave-out", options.leave_out, 0.01, 0.9);
+  check_share("--after", options.after.value_or(0.5), 0.1, 0.95);
   const std::string name = printable(options.file);
   const auto readings = signals_in(read_file(options.file, longest_file), name, options.columns);
   const Places places = LinkMap::places_of(readings);

@@ -116,10 +116,8 @@ void declare(CLI::App& app, LinkOptions& options) {
                  "names of the columns to take [those that are usual]")
       ->type_name("X,Y,SIGNAL");
   auto* const leave_out =
-      app.add_option("--leave-out", options.leave_out, "share of the places, at random [0.25]")
-          ->check(CLI::Range(0.01, 0.9));
+      app.add_option("--leave-out", options.leave_out, "share of the places, at random [0.25]");
   app.add_option("--after", options.after, "learns from this first share of the way only")
-      ->check(CLI::Range(0.1, 0.95))
       ->excludes(leave_out);
   app.add_option("--seed", options.seed, "of what is left out [1]");
   app.add_flag("--json", options.json, "one line of JSON");

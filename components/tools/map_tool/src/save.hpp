@@ -25,8 +25,8 @@ struct ContinueOptions {
   bool by_hand = false;
 };
 
-/// Becomes `tocsin launch mapping.yaml`, which goes on with NAME.session. Throws ConfigError when there
-/// is none.
+/// Becomes `tocsin launch mapping.yaml`, which goes on with NAME.session. Throws ConfigError when
+/// there is none.
 [[noreturn]] void go_on(const ContinueOptions& options);
 
 }  // namespace tocsin::map_tool

@@ -73,8 +73,10 @@ TEST_F(LinkProgram, HasOneLineForEveryBadInput) {
     EXPECT_EQ(ended.code, 2) << ended.output;
     EXPECT_NE(ended.output.find(error), std::string::npos) << ended.output;
   }
-  for (const std::vector<std::string>& bad :
-       {std::vector<std::string>{"--leave-out", "1"}, {"--after", "nan"}, {"--columns", "x,y"}}) {
+  for (const std::vector<std::string>& bad : {std::vector<std::string>{"--leave-out", "1"},
+                                              {"--after", "nan"},
+                                              {"--leave-out", "nan"},
+                                              {"--columns", "x,y"}}) {
     EXPECT_EQ(link(named, bad).code, 2);
   }
   EXPECT_EQ(link(folder_.path("none.csv")).code, 2);
