@@ -10,52 +10,44 @@
 namespace tocsin::localisation {
 namespace {
 
-constexpr std::size_t most_hypotheses = 40;
+constexpr std::size_t most_hypotheses = 80;
 constexpr std::size_t matched_hits = 120;
-constexpr std::size_t weighed_beams = 45;
-constexpr double wall_m = 0.12;      // a hit so near to a wall is of the wall
-constexpr double through_m = 0.3;    // so far behind a wall no beam ends
-constexpr double witnesses = 8;      // that the beams of a scan count for
-constexpr double fading = 0.95;      // of evidence, each time some is counted
-constexpr double counts_at = 0.1;    // of `moved_`
-constexpr double hopeless = 20;      // less evidence than the best by so much
-constexpr double decided = 12;       // more evidence than any other, to become sure
-constexpr double carried_off = 0.3;  // less of a scan lies where the one before had something
-constexpr double sure = 0.995;       // weight of a hypothesis that is alone
+constexpr double counts_at = 0.1;  // of `moved_`
 constexpr double same_m = 0.25;
 constexpr double same_rad = 15 * degree;
-constexpr int scans_to_lose = 8;
-constexpr double way_before_trust_m = 1.5;
-constexpr int searches_before_trust = 3;
-constexpr double search_every = 0.3;  // of `since_search_`
-constexpr int scans_to_search = 5;
-constexpr double most_through = 0.1;  // of the beams of a pose that is right
-constexpr double well_explained = 0.75;
-constexpr std::size_t searched_candidates = 200;
-constexpr int headings_a_scan = 8;
-constexpr std::size_t candidates_a_scan = 34;
 constexpr double smoothing = 0.2;
 constexpr double most_step_m = 1.5;  // of odometry from scan to scan
 
-// Logarithms of what a beam says of a pose.
-constexpr double ends_at_wall = -0.3;
-constexpr double ends_early = -1.9;
-constexpr double goes_through = -3.9;
+// Evidence, logarithms.
+constexpr double hopeless = 20;          // less than the best by so much
+constexpr double decided = 12;           // more than any other, to become sure,
+constexpr double doubt_of_unknown = 25;  // and so much more where the map explains nothing
+constexpr double stays_decided = 5;      // to remain sure
+constexpr double follows = 2;            // the same while each scan shows what the last did
+constexpr double advance = 8;            // of a start that somebody has told
 
-geometry::Pose inverse(const geometry::Pose& pose) {
-  const double c = std::cos(pose.heading_rad);
-  const double s = std::sin(pose.heading_rad);
-  return {-c * pose.x_m - s * pose.y_m, s * pose.x_m - c * pose.y_m, -pose.heading_rad};
-}
+// How much of a scan lies where the one before had something.
+constexpr double followed_above = 0.7;
+constexpr double comparable_above = 0.5;
+constexpr double carried_off = 0.3;
 
-/// Of evenly spaced members of a list, at most so many.
-template <class T>
-std::vector<T> some_of(const std::vector<T>& all, std::size_t most) {
-  if (all.size() <= most) return all;
-  std::vector<T> some;
-  for (std::size_t i = 0; i < most; ++i) some.push_back(all[i * all.size() / most]);
-  return some;
-}
+// What the map explains.
+constexpr double usual_at_first = 0.6;
+constexpr double most_through = 0.1;  // of the beams of a pose that is right
+constexpr double well_explained = 0.75;
+constexpr double least_explained = 0.15;
+constexpr double vague_m2 = 0.09;
+
+constexpr int scans_to_lose = 8;
+constexpr int scans_to_follow = 10;
+constexpr double way_before_trust_m = 1.5;
+constexpr int searches_before_trust = 3;
+constexpr double search_every = 0.5;  // of `since_search_`
+constexpr double look_around_every = 0.5;
+constexpr int scans_to_search = 10;
+constexpr std::size_t searched_candidates = 200;
+constexpr int headings_a_scan = 8;
+constexpr std::size_t candidates_a_scan = 34;
 
 double apart(const geometry::Pose& a, const geometry::Pose& b) {
   return std::max(distance(position(a), position(b)) / same_m,
@@ -65,17 +57,23 @@ double apart(const geometry::Pose& a, const geometry::Pose& b) {
 }  // namespace
 
 Localiser::Localiser(navigation::OccupancyMap map, const LocaliserParams& params)
-    : map_(std::move(map)), distances_(map_), params_(params), search_(map_, distances_) {}
+    : map_(std::move(map)),
+      distances_(map_),
+      params_(params),
+      beams_(map_, distances_),
+      search_(map_, distances_) {}
 
 void Localiser::start_at(const geometry::Pose& pose, double deviation_m, double deviation_rad) {
   hypotheses_.clear();
   end_search();
   is_anywhere_ = false;
+  unfollow();
   badly_explained_ = 0;
   since_jump_m_ = way_before_trust_m;
   searches_ = searches_before_trust;
+  is_told_ = true;
   was_tracked_ = true;
-  usual_ = 0.7;
+  usual_ = usual_at_first;
   Belief belief;
   belief.pose = pose;
   belief.covariance = Eigen::Vector3d(deviation_m * deviation_m, deviation_m * deviation_m,
@@ -90,9 +88,12 @@ void Localiser::start_anywhere() {
   end_search();
   is_anywhere_ = true;
   was_tracked_ = false;
+  unfollow();
   since_jump_m_ = 0;
   searches_ = 0;
-  usual_ = 0.6;
+  usual_ = usual_at_first;
+  is_told_ = false;
+  recent_.clear();
 }
 
 std::optional<Localiser::Estimate> Localiser::update(const laser::Scan& scan,
@@ -123,6 +124,9 @@ void Localiser::doubt() {
   searches_ = 0;
   since_jump_m_ = 0;
   since_search_ = 2 * search_every;
+  recent_.clear();
+  is_told_ = false;
+  unfollow();
 }
 
 /// Odometry has begun anew: the vehicle is about where it was.
@@ -137,9 +141,13 @@ void Localiser::move(const laser::Points& hits, const geometry::Pose& odom) {
   odom_ = odom;
   if (std::hypot(by_wheels.x_m, by_wheels.y_m) > most_step_m) {
     motion_.begin_anew();
+    recent_.clear();
+    unfollow();
     return stay();
   }
   const auto [step, covariance, seen_before] = motion_.on_scan(hits, by_wheels);
+  if (seen_before < followed_above) unfollow();
+  if (seen_before < comparable_above) recent_.clear();
   if (seen_before < carried_off) doubt();
   const double way_m = std::hypot(step.x_m, step.y_m);
   const double turn_rad = std::abs(geometry::wrap_angle(step.heading_rad));
@@ -163,24 +171,18 @@ void Localiser::move(const laser::Points& hits, const geometry::Pose& odom) {
     belief.pose = compose(belief.pose, step);
   }
   moved_since_search_ = compose(moved_since_search_, step);
+  recent_.move(step);
 }
 
 /// Where odometry does not fit (a wheel has slipped), the scan alone may.
 void Localiser::settle(Hypothesis& hypothesis, const laser::Points& hits) {
-  const auto near_walls = [&](const geometry::Pose& pose) {
-    double count = 0;
-    for (const geometry::Point& hit : laser::transformed(hits, pose)) {
-      if (distances_.nearest_m(hit) < wall_m) ++count;
-    }
-    return count / static_cast<double>(hits.size());
-  };
   const Belief matched = match(distances_, hits, hypothesis.belief);
-  const double share = near_walls(matched.pose);
+  const double share = beams_.explained(hits, matched.pose);
   if (share < hypothesis.explained - 0.15) {
     Belief loose = hypothesis.belief;
     loose.covariance.diagonal() += Eigen::Vector3d(0.04, 0.04, 0.04);
     const Belief freed = match(distances_, hits, loose);
-    if (near_walls(freed.pose) > share + 0.1) {
+    if (beams_.explained(hits, freed.pose) > share + 0.1) {
       hypothesis.belief = freed;
       return;
     }
@@ -188,42 +190,26 @@ void Localiser::settle(Hypothesis& hypothesis, const laser::Points& hits) {
   hypothesis.belief = matched;
 }
 
-Localiser::Evidence Localiser::evidence_of(const laser::Scan& scan,
-                                           const geometry::Pose& pose) const {
-  const laser::Points from = laser::transformed({scan.laser}, pose);
-  const laser::Points hits = laser::transformed(some_of(scan.hits, weighed_beams), pose);
-  Evidence evidence;
-  for (const geometry::Point& hit : hits) {
-    if (distances_.nearest_m(hit) < wall_m) {
-      evidence.explained += 1;
-      evidence.log_likelihood += ends_at_wall;
-      continue;
-    }
-    const double range_m = distance(from.front(), hit);
-    const auto wall_at_m = map_.raycast(from.front(), bearing(from.front(), hit), range_m);
-    const bool is_through = wall_at_m && *wall_at_m + through_m < range_m;
-    evidence.through += is_through ? 1 : 0;
-    evidence.log_likelihood += is_through ? goes_through : ends_early;
-  }
-  const auto count = static_cast<double>(hits.size());
-  return {evidence.explained / count, evidence.through / count, evidence.log_likelihood / count};
-}
-
 void Localiser::weigh(const laser::Scan& scan) {
-  const bool counts = moved_ >= counts_at;
-  if (counts) moved_ = 0;
+  const bool counts = moved_ >= counts_at || recent_.empty();
+  if (counts) {
+    moved_ = 0;
+    recent_.add(scan);
+  }
   for (Hypothesis& hypothesis : hypotheses_) {
-    const Evidence evidence = evidence_of(scan, hypothesis.belief.pose);
+    const Evidence evidence = beams_.evidence_of(scan, hypothesis.belief.pose);
     const double share = std::exchange(hypothesis.is_fresh, false) ? 1 : smoothing;
     hypothesis.explained += share * (evidence.explained - hypothesis.explained);
     hypothesis.through += share * (evidence.through - hypothesis.through);
     if (!counts) continue;
-    hypothesis.evidence = fading * hypothesis.evidence + witnesses * evidence.log_likelihood;
+    hypothesis.evidence = RecentScans::fading * hypothesis.evidence +
+                          RecentScans::witnesses * evidence.log_likelihood;
   }
 }
 
 /// Where there is no guess at all, everything at once; else a part with each scan.
 void Localiser::search(const laser::Scan& scan, const laser::Points& hits) {
+  if (is_followed_ && since_search_ > look_around_every) return look_around(scan, hits);
   const bool is_idle = !search_.is_running() && candidates_.empty();
   if (is_idle && !wants_search()) return;
   if (is_idle) begin_search(hits);
@@ -239,6 +225,21 @@ void Localiser::search(const laser::Scan& scan, const laser::Points& hits) {
   if (candidates_.empty()) ++searches_;
 }
 
+/// Wheels that slip where the scans do not show it leave it somewhat before or behind the truth.
+void Localiser::look_around(const laser::Scan& scan, const laser::Points& hits) {
+  since_search_ = 0;
+  moved_since_search_ = {};
+  candidates_.clear();
+  const geometry::Pose here = hypotheses_.front().belief.pose;
+  for (const double away_m : {0.4, 0.8}) {
+    for (int i = 0; i < 8; ++i) {
+      candidates_.push_back({here.x_m + away_m * std::cos(i * pi / 4),
+                             here.y_m + away_m * std::sin(i * pi / 4), here.heading_rad});
+    }
+  }
+  try_candidates(scan, hits, candidates_.size());
+}
+
 void Localiser::begin_search(const laser::Points& hits) {
   search_.begin(hits);
   moved_since_search_ = {};
@@ -252,26 +253,22 @@ void Localiser::end_search() {
   candidates_.clear();
 }
 
-/// New hypotheses begin with what this scan says of them beside the likeliest one, as if it had
-/// been seen five times; behind it when it was sure, and the more, the oftener they were not found
-/// before.
+/// A new hypothesis begins with the evidence that it would have if it had been known on the last
+/// metres.
 void Localiser::try_candidates(const laser::Scan& scan, const laser::Points& hits,
                                std::size_t most) {
-  constexpr double as_often = 5;
-  constexpr double behind = 8;
-  const double late = std::min(behind, 2.0 * searches_);
-  const bool is_first = hypotheses_.empty();
-  const double best = is_first ? 0 : hypotheses_.front().evidence;
-  const double best_says =
-      is_first ? 0 : evidence_of(scan, hypotheses_.front().belief.pose).log_likelihood;
+  std::optional<geometry::Pose> best;
+  if (!hypotheses_.empty()) best = hypotheses_.front().belief.pose;
+  const double told = is_told_ || is_followed_ ? advance : 0;
+  const double from = (best ? hypotheses_.front().evidence : 0) - told;
   for (; most > 0 && !candidates_.empty(); --most, candidates_.pop_back()) {
     Belief belief;
     belief.pose = compose(candidates_.back(), moved_since_search_);
     belief.covariance = Eigen::Vector3d(0.04, 0.04, 0.02).asDiagonal();
     belief = match(distances_, hits, belief);
-    const Evidence evidence = evidence_of(scan, belief.pose);
-    const double more = as_often * witnesses * (evidence.log_likelihood - best_says);
-    add(belief, best + (was_tracked_ ? std::min(more, 0.0) - behind : more - late), evidence);
+    const double least = best ? -2 * hopeless : -infinity;
+    const double more = recent_.advantage(beams_, belief.pose, best, least);
+    add(belief, from + more, beams_.evidence_of(scan, belief.pose));
   }
 }
 
@@ -279,6 +276,7 @@ void Localiser::try_candidates(const laser::Scan& scan, const laser::Points& hit
 bool Localiser::wants_search() const {
   if (hypotheses_.empty()) return is_anywhere_;
   const Hypothesis& best = hypotheses_.front();
+  if (is_followed_) return false;
   const bool doubts = best.explained < usual_ - 0.15 || best.through > most_through;
   if (was_tracked_ && !doubts) return false;
   return since_search_ > search_every || scans_since_search_ > scans_to_search;
@@ -289,6 +287,20 @@ void Localiser::add(const Belief& belief, double evidence, const Evidence& seen)
     if (apart(known.belief.pose, belief.pose) < 1) return;
   }
   hypotheses_.push_back({belief, evidence, seen.explained, seen.through, 0, false});
+}
+
+void Localiser::unfollow() {
+  is_followed_ = false;
+  sure_scans_ = 0;
+}
+
+/// Another hypothesis has become the likeliest.
+void Localiser::jump(const geometry::Pose& from) {
+  unfollow();
+  if (distance(position(from), position(hypotheses_.front().belief.pose)) < 1) return;
+  since_jump_m_ = 0;
+  searches_ = std::min(searches_, 1);
+  was_tracked_ = false;
 }
 
 void Localiser::prune() {
@@ -305,11 +317,7 @@ void Localiser::prune() {
     if (!is_hopeless && !is_known && kept.size() < most_hypotheses) kept.push_back(one);
   }
   hypotheses_ = std::move(kept);
-  if (apart(before, hypotheses_.front().belief.pose) > 1) {
-    since_jump_m_ = 0;
-    searches_ = std::min(searches_, 1);
-    was_tracked_ = false;
-  }
+  if (apart(before, hypotheses_.front().belief.pose) > 1) jump(before);
   double sum = 0;
   for (Hypothesis& one : hypotheses_) {
     one.weight = std::exp(one.evidence - hypotheses_.front().evidence);
@@ -318,23 +326,51 @@ void Localiser::prune() {
   for (Hypothesis& one : hypotheses_) one.weight /= sum;
 }
 
-Health Localiser::health_of_best() {
+/// Of the likeliest hypothesis over others that lie apart; those beside it are in its covariance.
+double Localiser::lead_of_best() const {
   const Hypothesis& best = hypotheses_.front();
-  badly_explained_ = best.explained < params_.lost_below ? badly_explained_ + 1 : 0;
-  if (badly_explained_ >= scans_to_lose) {
-    was_tracked_ = false;
-    searches_ = 0;
-    return Health::lost;
-  }
+  const auto rival = std::find_if(hypotheses_.begin() + 1, hypotheses_.end(), [&](const auto& one) {
+    return apart(one.belief.pose, best.belief.pose) > 2;
+  });
+  return rival == hypotheses_.end() ? infinity : best.evidence - rival->evidence;
+}
+
+/// Whether it stays sure though the map explains little: each scan shows what the one before did,
+/// and boxes that no map shows contradict nothing.
+bool Localiser::stays_followed() const {
+  const Hypothesis& best = hypotheses_.front();
+  return is_followed_ && lead_of_best() > follows && best.through < most_through &&
+         best.explained > std::max(least_explained, usual_ - 0.3) &&
+         best.belief.covariance.topLeftCorner<2, 2>().trace() < vague_m2;
+}
+
+bool Localiser::is_sure() const {
+  const Hypothesis& best = hypotheses_.front();
   // Who stands sees one place only: more searches, and a better fit.
   const bool has_moved = since_jump_m_ >= way_before_trust_m && searches_ >= searches_before_trust;
   const bool has_looked = searches_ >= 2 * searches_before_trust && best.explained > well_explained;
-  const double lead = hypotheses_.size() < 2 ? infinity : best.evidence - hypotheses_[1].evidence;
-  const bool leads = was_tracked_ ? best.weight > sure : lead > decided;
-  const bool is_alone = leads && (has_moved || has_looked);
+  const double wanted =
+      was_tracked_ ? stays_decided : decided + doubt_of_unknown * (1 - best.explained);
+  const bool is_alone = lead_of_best() > wanted && (has_moved || has_looked);
   const bool fits = best.explained > std::max(params_.lost_below + 0.05, usual_ - 0.2) &&
                     best.through < most_through;
-  was_tracked_ = is_alone && fits;
+  return is_alone && fits;
+}
+
+Health Localiser::health_of_best() {
+  const Hypothesis& best = hypotheses_.front();
+  is_followed_ = stays_followed();
+  if (!is_followed_) {
+    badly_explained_ = best.explained < params_.lost_below ? badly_explained_ + 1 : 0;
+    if (badly_explained_ >= scans_to_lose) {
+      was_tracked_ = false;
+      searches_ = 0;
+      return Health::lost;
+    }
+    was_tracked_ = is_sure();
+    sure_scans_ = was_tracked_ ? sure_scans_ + 1 : 0;
+    is_followed_ = sure_scans_ >= scans_to_follow;
+  }
   if (was_tracked_) usual_ += 0.01 * (best.explained - usual_);
   return was_tracked_ ? Health::tracked : Health::uncertain;
 }

@@ -27,15 +27,6 @@ constexpr double usual_share = 0.05;   // what they err when they do not slip
 constexpr double contradiction = 12;   // squared, in deviations; chance does it once in 130 times
 constexpr double still_slipping = 2;   // the same where they slipped a moment ago
 
-Pose relative(const Pose& from, const Pose& to) {
-  const double c = std::cos(from.heading_rad);
-  const double s = std::sin(from.heading_rad);
-  const double x_m = to.x_m - from.x_m;
-  const double y_m = to.y_m - from.y_m;
-  return {c * x_m + s * y_m, -s * x_m + c * y_m,
-          geometry::wrap_angle(to.heading_rad - from.heading_rad)};
-}
-
 laser::Points within(const laser::Points& hits, double reach_m) {
   laser::Points near;
   std::copy_if(hits.begin(), hits.end(), std::back_inserter(near),

@@ -120,6 +120,23 @@ TEST_F(LocaliserTest, IsNotMisledByWhatNoMapShows) {
   EXPECT_LT(estimate.explained, 0.95);
 }
 
+TEST_F(LocaliserTest, StaysSureAmongBoxesOnceItIs) {
+  sut.start_at(truth_, 0.1, 0.05);
+  EXPECT_EQ(run(30).health, Health::tracked);
+  double least = 1;
+  for (int i = 0; i < 40; ++i) {
+    if (i % 3 == 0) {  // one more on its left or right
+      const Pose beside = compose(truth_, {0.4, i % 2 == 0 ? 0.9 : -0.9, 0});
+      obstacles_.boxes.push_back({beside, 0.6, 0.6});
+    }
+    const auto estimate = step(0.03);
+    EXPECT_EQ(estimate->health, Health::tracked) << i;
+    least = std::min(least, estimate->explained);
+  }
+  EXPECT_LT(least, 0.5);
+  EXPECT_LT(off_m(run(1)), 0.1);
+}
+
 TEST_F(LocaliserTest, NoticesThatItWasCarriedOffAndFindsItselfAgain) {
   sut.start_at(truth_, 0.1, 0.05);
   (void)run(50);

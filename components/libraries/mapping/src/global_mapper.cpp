@@ -5,8 +5,6 @@
 #include <cmath>
 #include <queue>
 
-#include "mapping/relative_pose.hpp"
-
 namespace tocsin::mapping {
 
 using geometry::compose;

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "mapping/relative_pose.hpp"
-
 namespace tocsin::mapping {
 
 using geometry::compose;

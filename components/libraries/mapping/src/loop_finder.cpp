@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mapping/relative_pose.hpp"
-
 namespace tocsin::mapping {
 
 using geometry::compose;
@@ -34,11 +32,11 @@ std::optional<Match> find_loop(const Submap& submap, const Points& points, const
 bool LoopJury::agree(const LoopCandidate& a, const LoopCandidate& b,
                      const std::vector<Pose>& local) const {
   // From the place of `a` by its node to that of `b`, and back from submap to submap.
-  const Pose nodes = mapping::relative(local[a.node], local[b.node]);
-  const Pose submaps = mapping::relative(local[a.submap_node], local[b.submap_node]);
+  const Pose nodes = relative(local[a.node], local[b.node]);
+  const Pose submaps = relative(local[a.submap_node], local[b.submap_node]);
   const Pose by_nodes = compose(a.relative, nodes);
   const Pose by_submaps = compose(submaps, b.relative);
-  const Pose open = mapping::relative(by_nodes, by_submaps);
+  const Pose open = relative(by_nodes, by_submaps);
   const double way_m = std::hypot(nodes.x_m, nodes.y_m) + std::hypot(submaps.x_m, submaps.y_m);
   return std::hypot(open.x_m, open.y_m) <= tolerance_.distance_m + tolerance_.share * way_m &&
          std::abs(open.heading_rad) <= tolerance_.turn_rad + tolerance_.turn_rad_per_m * way_m;

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "mapping/relative_pose.hpp"
-
 namespace tocsin::mapping {
 
 using navigation::Cell;

@@ -3,8 +3,6 @@
 
 #include <utility>
 
-#include "mapping/relative_pose.hpp"
-
 namespace tocsin::mapping {
 
 using geometry::Pose;

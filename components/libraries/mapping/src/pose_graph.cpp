@@ -6,8 +6,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "mapping/relative_pose.hpp"
-
 namespace tocsin::mapping {
 namespace {
 

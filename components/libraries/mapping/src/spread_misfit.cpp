@@ -4,8 +4,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "mapping/relative_pose.hpp"
-
 namespace tocsin::mapping {
 
 using geometry::compose;

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "laser_geometry/scan.hpp"
-#include "mapping/relative_pose.hpp"
 
 namespace tocsin::mapping {
 

@@ -5,8 +5,6 @@
 
 #include <random>
 
-#include "mapping/relative_pose.hpp"
-
 namespace tocsin::mapping {
 namespace {
 

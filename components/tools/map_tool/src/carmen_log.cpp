@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "foundation/error.hpp"
-#include "mapping/relative_pose.hpp"
 
 namespace tocsin::map_tool {
 namespace {
@@ -125,7 +124,7 @@ LogReading robot_laser_of(Fields& fields) {
   fields.skip("remission", fields.count("number of remissions", 0));
   const Pose laser = fields.pose("laser pose");
   reading.odometry = fields.pose("robot pose");
-  scan.beams.laser = mapping::relative(reading.odometry, laser);
+  scan.beams.laser = relative(reading.odometry, laser);
   fields.skip("speed, distance or turn axis", 5);
   reading.time_s = fields.time();
   reading.scan = std::move(scan);

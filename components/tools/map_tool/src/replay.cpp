@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include "mapping/relative_pose.hpp"
 #include "mapping/spread_misfit.hpp"
 
 namespace tocsin::map_tool {
@@ -42,7 +41,7 @@ void Replay::add_between(const std::vector<Reading>& readings, std::size_t node,
   if (node == 0 || node == nodes.size()) {
     const std::size_t from = node == 0 ? 0 : node - 1;
     for (const Reading& reading : readings) {
-      const Pose way = mapping::relative(nodes[from].odometry, reading.odometry);
+      const Pose way = relative(nodes[from].odometry, reading.odometry);
       trajectory.push_back({reading.time_s, compose(poses[from], way)});
     }
     return;

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "mapping/relative_pose.hpp"
+#include "geometry/pose.hpp"
 
 namespace tocsin::map_tool {
 
@@ -53,7 +53,7 @@ inline DrawnLog drawn_log() {
         fmt::format("{:.5f} {:.5f} {:.6f}", odometry.x_m, odometry.y_m, odometry.heading_rad);
     log.text += fmt::format("ODOM {} 0.25 0.1 0 {:.6f} host {:.6f}\n", pose, time_s, time_s);
     log.times_s.push_back(time_s);
-    log.truth.push_back(mapping::relative(start, truth));
+    log.truth.push_back(relative(start, truth));
     log.odometry.push_back(odometry);
     if (i % 4 == 0) {
       log.text += fmt::format("FLASER 180{} {} {} {:.6f} host {:.6f}\n", ranges_text(truth), pose,

@@ -25,7 +25,7 @@ template <class PoseAt>
 double worst_m(const std::vector<geometry::Pose>& truth, const PoseAt& pose_at) {
   double worst = 0;
   for (std::size_t i = 0; i < truth.size(); ++i) {
-    const auto pose = mapping::relative(pose_at(0), pose_at(i));
+    const auto pose = relative(pose_at(0), pose_at(i));
     worst = std::max(worst, geometry::distance(position(pose), position(truth[i])));
   }
   return worst;
@@ -62,7 +62,7 @@ double mean_error_m(const std::vector<TimedPose>& trajectory, std::istream& rela
     const auto a = at.find(std::lround(t1 * 1e4));
     const auto b = at.find(std::lround(t2 * 1e4));
     if (a == at.end() || b == at.end()) continue;
-    const auto off = mapping::relative(known, mapping::relative(a->second, b->second));
+    const auto off = relative(known, relative(a->second, b->second));
     sum += std::hypot(off.x_m, off.y_m);
     ++count;
   }

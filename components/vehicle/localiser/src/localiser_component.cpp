@@ -36,12 +36,6 @@ navigation::OccupancyMap map_of(const std::string& name, const std::string& file
   return map;
 }
 
-geometry::Pose inverse(const geometry::Pose& pose) {
-  const double c = std::cos(pose.heading_rad);
-  const double s = std::sin(pose.heading_rad);
-  return {-c * pose.x_m - s * pose.y_m, s * pose.x_m - c * pose.y_m, -pose.heading_rad};
-}
-
 /// What another process of the same launch has kept.
 std::optional<geometry::Pose> kept_in(const StateFile& file) {
   std::istringstream text(file.load().value_or(""));

@@ -8,7 +8,6 @@
 
 #include "foundation/error.hpp"
 #include "foundation/replace_file.hpp"
-#include "mapping/relative_pose.hpp"
 #include "mapping/session_bytes.hpp"
 #include "navigation/map_writer.hpp"
 
@@ -43,7 +42,7 @@ void MapWorker::add(mapping::LocalStep step) {
 
 void MapWorker::tell() {
   const geometry::Pose& local = mapper_.nodes().back().pose;
-  const geometry::Pose map_from_local = compose(mapper_.poses().back(), mapping::inverse(local));
+  const geometry::Pose map_from_local = compose(mapper_.poses().back(), inverse(local));
   const std::lock_guard<std::mutex> lock(mutex_);
   news_.map_from_local = map_from_local;
   news_.nodes = mapper_.nodes().size();

@@ -15,7 +15,6 @@
 #include "foundation/printable.hpp"
 #include "foundation/read_file.hpp"
 #include "geometry/pose_message.hpp"
-#include "mapping/relative_pose.hpp"
 #include "mapping/session_bytes.hpp"
 #include "runtime/component_entry.hpp"
 
@@ -122,7 +121,7 @@ void MapperComponent::take_odometry() {
     const std::int64_t stamp_ns = stamp_ns_of(odom->header());
     if (!is_finite(pose)) continue;
     const double s = static_cast<double>(stamp_ns - last_odom_ns_) * 1e-9;
-    if (last_odom_ && is_jump(mapping::relative(*last_odom_, pose), s)) {
+    if (last_odom_ && is_jump(relative(*last_odom_, pose), s)) {
       log().warn("the odometry has jumped: it counts anew from here");
       odometry_.clear();
       if (local_) local_->on_new_odometry(*last_odom_, pose);
@@ -204,7 +203,7 @@ void MapperComponent::publish_pose(const geometry::Pose& odometry, std::int64_t 
   const double off_rad = matched_rad + drift_share * unmatched_m_;
   pose_.publish_pose(pose, {off_m * off_m, 0, 0, 0, off_m * off_m, 0, 0, 0, off_rad * off_rad},
                      stamp_of(stamp_ns));
-  pose_.publish_transform(compose(pose, mapping::inverse(odometry)), stamp_of(stamp_ns));
+  pose_.publish_transform(compose(pose, inverse(odometry)), stamp_of(stamp_ns));
 }
 
 /// Relative ones lie where the launch does.
@@ -335,7 +334,7 @@ void MapperComponent::publish_diagnostics(Time now) {
 void MapperComponent::remember(Time now) {
   if (!file_.keeps() || !local_ || !last_odom_ || now < next_remember_) return;
   next_remember_ = now + second;
-  const geometry::Pose map_from_odom = compose(pose_at(*last_odom_), mapping::inverse(*last_odom_));
+  const geometry::Pose map_from_odom = compose(pose_at(*last_odom_), inverse(*last_odom_));
   std::ostringstream text;
   text.precision(std::numeric_limits<double>::max_digits10);
   text << ::getppid() << ' ' << map_from_odom.x_m << ' ' << map_from_odom.y_m << ' '

@@ -9,12 +9,6 @@ namespace {
 constexpr double most_deviation_m = 0.5;
 constexpr double most_step_m = 0.5;  // of odometry from message to message
 
-geometry::Pose inverse(const geometry::Pose& pose) {
-  const double c = std::cos(pose.heading_rad);
-  const double s = std::sin(pose.heading_rad);
-  return {-c * pose.x_m - s * pose.y_m, s * pose.x_m - c * pose.y_m, -pose.heading_rad};
-}
-
 }  // namespace
 
 void LocaliserPose::on_odometry(std::int64_t stamp_ns, const geometry::Pose& odom) {

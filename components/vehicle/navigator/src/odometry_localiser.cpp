@@ -15,12 +15,6 @@ bool is_at_zero(const geometry::Pose& odom) {
   return std::hypot(odom.x_m, odom.y_m) < 0.02 && std::abs(odom.heading_rad) < 0.05;
 }
 
-geometry::Pose inverse(const geometry::Pose& pose) {
-  const double c = std::cos(pose.heading_rad);
-  const double s = std::sin(pose.heading_rad);
-  return {-c * pose.x_m - s * pose.y_m, s * pose.x_m - c * pose.y_m, -pose.heading_rad};
-}
-
 }  // namespace
 
 std::optional<geometry::Pose> OdometryLocaliser::update(const geometry::Pose& odom, Time now) {

@@ -12,7 +12,6 @@
 #include "mapping/local_mapper.hpp"
 #include "mapping/loop_finder.hpp"
 #include "mapping/mapper.hpp"
-#include "mapping/relative_pose.hpp"
 #include "planted_loops.hpp"
 
 namespace tocsin::bench {
@@ -140,8 +139,8 @@ Timing time_loop_searches() {
     const Pose pose = way()[last];
     Points points;
     for (std::size_t k = last - 8; k < last; ++k) {
-      const Points part = laser::transformed(scan_at(map, way()[k], random).hits,
-                                             mapping::relative(pose, way()[k]));
+      const Points part =
+          laser::transformed(scan_at(map, way()[k], random).hits, relative(pose, way()[k]));
       points.insert(points.end(), part.begin(), part.end());
     }
     points = laser::thinned(points, mapping::MapperParams{}.loop_thin_m);
@@ -159,7 +158,7 @@ Timing time_solve(std::size_t nodes) {
   for (int i = 0; i < 5; ++i) {
     times_ms.push_back(time_ms([&] {
       mapping::PoseGraph graph = town.graph;
-      graph.add({10, nodes - 10, mapping::relative(town.truth[10], town.truth[nodes - 10]),
+      graph.add({10, nodes - 10, relative(town.truth[10], town.truth[nodes - 10]),
                  Eigen::Matrix3d::Identity() * 1e4, true});
       mapping::SolveParams params;
       params.graduated = false;

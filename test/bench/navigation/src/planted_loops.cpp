@@ -5,8 +5,6 @@
 #include <cmath>
 #include <random>
 
-#include "mapping/relative_pose.hpp"
-
 namespace tocsin::bench {
 namespace {
 
@@ -53,15 +51,14 @@ TownGraph town_graph(std::size_t nodes, int false_loops) {
       town.graph.add_node(town.truth[0]);
       continue;
     }
-    const Pose step =
-        noisy(mapping::relative(town.truth[i - 1], town.truth[i]), 0.02, 0.005, random);
+    const Pose step = noisy(relative(town.truth[i - 1], town.truth[i]), 0.02, 0.005, random);
     town.graph.add_node(compose(town.graph.poses().back(), step));
     town.graph.add({i - 1, i, step, sure(0.02, 0.005), false});
   }
   for (std::size_t i = 0; i < nodes; ++i) {
     for (std::size_t j = i + 10; j < nodes; ++j) {
       if (geometry::distance(position(town.truth[i]), position(town.truth[j])) > 0.5) continue;
-      const Pose loop = noisy(mapping::relative(town.truth[i], town.truth[j]), 0.02, 0.01, random);
+      const Pose loop = noisy(relative(town.truth[i], town.truth[j]), 0.02, 0.01, random);
       town.graph.add({i, j, loop, sure(0.02, 0.01), true});
     }
   }

@@ -7,8 +7,6 @@
 #include <optional>
 #include <sstream>
 
-#include "mapping/relative_pose.hpp"
-
 namespace tocsin::bench {
 namespace {
 
@@ -58,7 +56,7 @@ RelationErrors relation_errors(const std::string& trajectory, const std::string&
       ++errors.missing;
       continue;
     }
-    const Pose off = mapping::relative(wanted, mapping::relative(*a, *b));
+    const Pose off = relative(wanted, relative(*a, *b));
     const double off_m = std::hypot(off.x_m, off.y_m);
     ++errors.count;
     errors.mean_m += off_m;

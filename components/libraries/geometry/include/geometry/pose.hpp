@@ -82,4 +82,16 @@ struct Quaternion {
           wrap_angle(a.heading_rad + b.heading_rad)};
 }
 
+/// The pose of the frame that `pose` is given in, in the frame of `pose`.
+[[nodiscard]] inline Pose inverse(const Pose& pose) {
+  const double c = std::cos(pose.heading_rad);
+  const double s = std::sin(pose.heading_rad);
+  return {-c * pose.x_m - s * pose.y_m, s * pose.x_m - c * pose.y_m, wrap_angle(-pose.heading_rad)};
+}
+
+/// `to` in the frame of `from`, both given in the same frame.
+[[nodiscard]] inline Pose relative(const Pose& from, const Pose& to) {
+  return compose(inverse(from), to);
+}
+
 }  // namespace tocsin::geometry

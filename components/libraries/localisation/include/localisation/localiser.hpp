@@ -9,9 +9,11 @@
 #include "foundation/parameters.hpp"
 #include "geometry/pose.hpp"
 #include "laser_geometry/scan.hpp"
+#include "localisation/beam_model.hpp"
 #include "localisation/distance_map.hpp"
 #include "localisation/global_search.hpp"
 #include "localisation/map_match.hpp"
+#include "localisation/recent_scans.hpp"
 #include "localisation/scan_motion.hpp"
 #include "navigation/occupancy_map.hpp"
 
@@ -36,12 +38,14 @@ constexpr std::array<const char*, 3> words_of(Health) { return {"lost", "uncerta
 
 /// Where a vehicle with a laser is on a known map.
 ///
-/// It keeps up to 40 hypotheses. Each is moved by odometry and matched to the map (`match`); what
-/// its beams meet is evidence for or against it: a beam that ends at a wall speaks for it, one that
-/// ends early (a box, a person) a little against it, one that went through a wall much. Evidence
-/// counts when the vehicle has moved, and fades, so that two rooms that are alike stay two
-/// hypotheses. Until one is sure, and when the map explains less than it did, poses everywhere are
-/// tried again, in parts, scan by scan, so that no update takes long; the first time at once.
+/// It keeps up to 80 hypotheses. Each is moved by odometry and matched to the map (`match`); what
+/// its beams meet is evidence for or against it (`BeamModel`). Evidence counts when the vehicle has
+/// moved, and fades, so that two rooms that are alike stay two hypotheses. Until one is sure, poses
+/// everywhere are tried again, in parts, scan by scan, so that no update takes long; the first time
+/// at once. A new one is asked what it would have seen on the last metres (`RecentScans`).
+///
+/// Once it is sure it stays so while each scan shows what the one before did: only beams through
+/// walls, a jump, or a place beside it that fits better are reasons for doubt.
 ///
 /// Pure and deterministic.
 class Localiser {
@@ -75,31 +79,33 @@ class Localiser {
   [[nodiscard]] const std::vector<Hypothesis>& hypotheses() const { return hypotheses_; }
 
  private:
-  struct Evidence {
-    double explained = 0;
-    double through = 0;
-    double log_likelihood = 0;  ///< mean of the beams
-  };
   void stay();
   void doubt();
   void move(const laser::Points& hits, const geometry::Pose& odom);
   void settle(Hypothesis& hypothesis, const laser::Points& hits);
-  [[nodiscard]] Evidence evidence_of(const laser::Scan& scan, const geometry::Pose& pose) const;
   void weigh(const laser::Scan& scan);
   void begin_search(const laser::Points& hits);
   void end_search();
   void search(const laser::Scan& scan, const laser::Points& hits);
+  void look_around(const laser::Scan& scan, const laser::Points& hits);
   void try_candidates(const laser::Scan& scan, const laser::Points& hits, std::size_t most);
   void add(const Belief& belief, double evidence, const Evidence& seen);
   void prune();
+  void jump(const geometry::Pose& from);
+  void unfollow();
   [[nodiscard]] bool wants_search() const;
+  [[nodiscard]] double lead_of_best() const;
+  [[nodiscard]] bool stays_followed() const;
+  [[nodiscard]] bool is_sure() const;
   [[nodiscard]] Health health_of_best();
   [[nodiscard]] Estimate estimate();
 
   navigation::OccupancyMap map_;
   DistanceMap distances_;
   LocaliserParams params_;
+  BeamModel beams_;
   GlobalSearch search_;
+  RecentScans recent_;
   std::vector<geometry::Pose> candidates_;  ///< that it has found, the best last
   geometry::Pose moved_since_search_;       ///< since the scan that is looked for
   ScanMotion motion_;
@@ -111,8 +117,11 @@ class Localiser {
   double since_jump_m_ = 0;  ///< way since another hypothesis became the likeliest
   bool is_anywhere_ = false;
   bool was_tracked_ = false;
-  double usual_ = 0.7;  ///< share of a scan that is explained while it is tracked
-  int searches_ = 0;    ///< since it began, or became unsure
+  bool is_followed_ = false;  ///< sure, and each scan has shown what the one before did
+  bool is_told_ = false;      ///< where it is, by a person or a launch
+  int sure_scans_ = 0;        ///< in a row
+  double usual_ = 0.7;        ///< share of a scan that is explained while it is tracked
+  int searches_ = 0;          ///< since it began, or became unsure
   int scans_since_search_ = 0;
   int badly_explained_ = 0;  ///< scans in a row
 };

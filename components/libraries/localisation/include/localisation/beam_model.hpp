@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "geometry/pose.hpp"
+#include "laser_geometry/scan.hpp"
+#include "localisation/distance_map.hpp"
+#include "navigation/occupancy_map.hpp"
+
+namespace tocsin::localisation {
+
+/// What a scan says of a pose.
+struct Evidence {
+  double explained = 0;       ///< share of its beams that end at walls [range 0,1]
+  double through = 0;         ///< share that end behind walls
+  double log_likelihood = 0;  ///< mean of the beams
+};
+
+/// A beam that ends at a wall speaks for a pose, one that ends early (a box, a person) a little
+/// against it, one that went through a wall much. At most 45 beams of a scan are asked.
+class BeamModel {
+ public:
+  /// Both must outlive it.
+  BeamModel(const navigation::OccupancyMap& map, const DistanceMap& distances)
+      : map_(map), distances_(distances) {}
+
+  [[nodiscard]] Evidence evidence_of(const laser::Scan& scan, const geometry::Pose& pose) const;
+  /// Share of hits that lie at walls [range 0,1].
+  [[nodiscard]] double explained(const laser::Points& hits, const geometry::Pose& pose) const;
+
+ private:
+  const navigation::OccupancyMap& map_;
+  const DistanceMap& distances_;
+};
+
+/// At most so many of the hits, evenly spaced.
+[[nodiscard]] laser::Points some_of(const laser::Points& hits, std::size_t most);
+
+}  // namespace tocsin::localisation

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "localisation/beam_model.hpp"
+
+#include <algorithm>
+
+namespace tocsin::localisation {
+namespace {
+
+constexpr std::size_t asked_beams = 45;
+constexpr double wall_m = 0.12;    // a hit so near to a wall is of the wall
+constexpr double exact_m = 0.04;   // a hit so near to it could not be better,
+constexpr double early_m = 0.2;    // and one so far from it is of something else
+constexpr double through_m = 0.3;  // so far behind a wall no beam ends
+
+// Logarithms of what a beam says of a pose.
+constexpr double ends_at_wall = -0.3;
+constexpr double ends_early = -1.9;
+constexpr double goes_through = -3.9;
+
+double beside_wall(double away_m) {
+  const double off = std::max(0.0, away_m - exact_m) / (early_m - exact_m);
+  return ends_at_wall + (ends_early - ends_at_wall) * std::min(1.0, off);
+}
+
+}  // namespace
+
+laser::Points some_of(const laser::Points& hits, std::size_t most) {
+  if (hits.size() <= most) return hits;
+  laser::Points some;
+  for (std::size_t i = 0; i < most; ++i) some.push_back(hits[i * hits.size() / most]);
+  return some;
+}
+
+Evidence BeamModel::evidence_of(const laser::Scan& scan, const geometry::Pose& pose) const {
+  const geometry::Point laser = laser::transformed({scan.laser}, pose).front();
+  const laser::Points hits = laser::transformed(some_of(scan.hits, asked_beams), pose);
+  Evidence evidence;
+  for (const geometry::Point& hit : hits) {
+    const double away_m = distances_.sample(hit).distance_m;
+    evidence.explained += away_m < wall_m ? 1 : 0;
+    if (away_m < early_m) {
+      evidence.log_likelihood += beside_wall(away_m);
+      continue;
+    }
+    const double range_m = distance(laser, hit);
+    const auto wall_at_m = map_.raycast(laser, bearing(laser, hit), range_m);
+    const bool is_through = wall_at_m && *wall_at_m + through_m < range_m;
+    evidence.through += is_through ? 1 : 0;
+    evidence.log_likelihood += is_through ? goes_through : ends_early;
+  }
+  const auto count = static_cast<double>(hits.size());
+  return {evidence.explained / count, evidence.through / count, evidence.log_likelihood / count};
+}
+
+double BeamModel::explained(const laser::Points& hits, const geometry::Pose& pose) const {
+  const laser::Points placed = laser::transformed(hits, pose);
+  const auto at_walls = std::count_if(placed.begin(), placed.end(), [this](const auto& hit) {
+    return distances_.nearest_m(hit) < wall_m;
+  });
+  return static_cast<double>(at_walls) / static_cast<double>(hits.size());
+}
+
+}  // namespace tocsin::localisation
