@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace tocsin::laser {
@@ -55,11 +56,22 @@ std::vector<std::size_t> runs_without_return(const std::vector<double>& ranges_m
   return runs;
 }
 
+/// How nearly a beam measures what it or its neighbours measured before; NaN: one of both is none.
+float change_of(const std::vector<float>& before_m, std::size_t beam, float range_m) {
+  const std::size_t count = before_m.size();
+  float least_m = std::abs(range_m - before_m[beam]);
+  for (const std::size_t neighbour : {(beam + 1) % count, (beam + count - 1) % count}) {
+    least_m = std::fmin(least_m, std::abs(range_m - before_m[neighbour]));
+  }
+  return least_m;
+}
+
 }  // namespace
 
 Scan make_scan(const std::vector<double>& ranges_m, const Beams& beams, const ScanParams& params) {
   Scan scan;
   scan.laser = geometry::position(beams.laser);
+  scan.ranges_m.assign(ranges_m.size(), std::numeric_limits<float>::quiet_NaN());
   const std::vector<std::size_t> run = runs_without_return(ranges_m, params.max_range_m);
   const bool moves = beams.interval_s != 0 && !is_standing(beams.velocity);
   for (std::size_t i = 0; i < ranges_m.size(); ++i) {
@@ -67,6 +79,7 @@ Scan make_scan(const std::vector<double>& ranges_m, const Beams& beams, const Sc
     if (!is_used(range_m, params)) continue;
     const bool is_hit = range_m < params.max_range_m;
     const double length_m = is_hit ? range_m : params.cleared_m;
+    if (is_hit) scan.ranges_m[i] = static_cast<float>(range_m);
     const auto beam = static_cast<double>(i);
     const Pose laser =
         moves ? compose(moved(beams.velocity, beam * beams.interval_s), beams.laser) : beams.laser;
@@ -80,24 +93,16 @@ Scan make_scan(const std::vector<double>& ranges_m, const Beams& beams, const Sc
 }
 
 bool is_repeated(const Scan& before, const Scan& now) {
-  constexpr std::size_t bins = 360;
-  constexpr double same_m = 0.0002;
+  constexpr float same_m = 0.0002F;
   constexpr int least = 8;
-  const auto bin_of = [](const Point& from, const Point& to) {
-    const double share = geometry::bearing(from, to) / (2 * pi) + 0.5;
-    return std::min(bins - 1, static_cast<std::size_t>(share * bins));
-  };
-  std::array<double, bins> ranges_m{};
-  for (const Point& hit : before.hits) {
-    ranges_m[bin_of(before.laser, hit)] = geometry::distance(before.laser, hit);
-  }
+  if (before.ranges_m.size() != now.ranges_m.size()) return false;
   int common = 0;
   int same = 0;
-  for (const Point& hit : now.hits) {
-    const double range_m = ranges_m[bin_of(now.laser, hit)];
-    if (range_m == 0) continue;
+  for (std::size_t i = 0; i < now.ranges_m.size(); ++i) {
+    const float change_m = change_of(before.ranges_m, i, now.ranges_m[i]);
+    if (std::isnan(change_m)) continue;
     ++common;
-    if (std::abs(geometry::distance(now.laser, hit) - range_m) < same_m) ++same;
+    if (change_m < same_m) ++same;
   }
   return common >= least && same >= 0.85 * common;
 }

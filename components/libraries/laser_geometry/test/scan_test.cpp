@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
+#include <vector>
 
 #include "foundation/numbers.hpp"
 
@@ -101,16 +104,12 @@ TEST(Thinned, KeepsTheFirstPointOfEachSquareInTheirOrder) {
   EXPECT_DOUBLE_EQ(thin[2].x_m, 0.01);
 }
 
-Scan turn_of(double noise_m, unsigned seed) {
+Scan turn_of(double noise_m, unsigned seed, const geometry::Twist& velocity = {}) {
   std::mt19937 random(seed);
   std::normal_distribution<> noise(0, 1);
-  Scan scan;
-  for (int i = 0; i < 180; ++i) {
-    const double range_m = 2 + noise_m * noise(random);
-    const double bearing_rad = (i + 0.5) * degree;
-    scan.hits.push_back({range_m * std::cos(bearing_rad), range_m * std::sin(bearing_rad)});
-  }
-  return scan;
+  std::vector<double> ranges_m;
+  for (int i = 0; i < 180; ++i) ranges_m.push_back(2 + noise_m * noise(random));
+  return make_scan(ranges_m, {{}, 0, degree, 0.001, velocity});
 }
 
 TEST(IsRepeated, TellsAScanThatIsSentAgainFromOneThatIsMeasuredAgain) {
@@ -118,11 +117,22 @@ TEST(IsRepeated, TellsAScanThatIsSentAgainFromOneThatIsMeasuredAgain) {
   EXPECT_TRUE(is_repeated(scan, scan));
   EXPECT_FALSE(is_repeated(scan, turn_of(0.003, 2)));
   Scan nearly = scan;
-  nearly.hits.erase(nearly.hits.begin(), nearly.hits.begin() + 10);
-  nearly.hits[40].x_m += 0.01;
+  std::fill_n(nearly.ranges_m.begin(), 10, std::numeric_limits<float>::quiet_NaN());
+  nearly.ranges_m[40] += 0.01F;
   EXPECT_TRUE(is_repeated(scan, nearly)) << "a few readings are others";
   EXPECT_FALSE(is_repeated({}, {})) << "nothing is no sign";
   EXPECT_FALSE(is_repeated(scan, {}));
+}
+
+TEST(IsRepeated, SeesItThoughTheAnglesOfTheTurnsDiffer) {
+  const Scan scan = turn_of(0.003, 1);
+  Scan shifted = scan;
+  for (std::size_t i = 1; i < 180; i += 3) shifted.ranges_m[i] = scan.ranges_m[i - 1];
+  EXPECT_TRUE(is_repeated(scan, shifted));
+}
+
+TEST(IsRepeated, SeesItThoughTheVehicleMovesInAnotherWayMeanwhile) {
+  EXPECT_TRUE(is_repeated(turn_of(0.003, 1, {0.1, 0}), turn_of(0.003, 1, {0.5, 0.3})));
 }
 
 }  // namespace

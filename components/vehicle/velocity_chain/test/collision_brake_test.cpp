@@ -27,6 +27,7 @@ class CollisionBrakeTest : public ::testing::Test {
       scan.hits.push_back({wall_m * std::cos(i * degree), wall_m * std::sin(i * degree)});
     }
     scan.hits.insert(scan.hits.end(), points.begin(), points.end());
+    scan.ranges_m.assign(360, static_cast<float>(wall_m));
     return scan;
   }
   void look(const std::vector<Point>& points) {

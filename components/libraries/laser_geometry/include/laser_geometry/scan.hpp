@@ -17,6 +17,7 @@ struct Scan {
   Points hits;            ///< what they met [m]
   Points misses;          ///< ends of what is free on beams that met nothing [m],
   Points open;  ///< those of them that have like neighbours: one beam may be lost on a wall
+  std::vector<float> ranges_m{};  ///< of its hits as they were measured, by beam; NaN: no hit
 };
 
 /// How readings of a laser become points.
@@ -42,9 +43,11 @@ struct Beams {
 [[nodiscard]] Scan make_scan(const std::vector<double>& ranges_m, const Beams& beams,
                              const ScanParams& params = {});
 
-/// Whether two turns are one that was sent again, whole or but for a few readings: of the hits that
-/// both have in the same degree, at least eight, 85 % lie within 0.2 mm. No two turns of a laser
-/// that measures are so alike.
+/// Whether two turns are one that was sent again, whole or but for a few readings: of the beams
+/// that have hit, at least eight, 85 % measured within 0.2 mm what they or their neighbours had
+/// measured, since the angles of a laser that turns by itself differ from turn to turn. No two
+/// turns of a laser that measures are so alike, and how the vehicle moved meanwhile makes no
+/// difference.
 [[nodiscard]] bool is_repeated(const Scan& before, const Scan& now);
 
 /// `points`, given in the frame of `pose`, in the frame that `pose` is given in.

@@ -51,7 +51,7 @@ class SimulatedLaser {
   Time motion_time_;
   bool is_covered_ = false;
   bool is_stuck_ = false;
-  std::array<double, 720> last_turn_m_{};  ///< by bearing, from 0 to the left
+  std::array<double, 360> last_turn_m_{};  ///< by bearing, from 0 to the left
   rplidar::RplidarModel device_;
 };
 
