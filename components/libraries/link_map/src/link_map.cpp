@@ -8,14 +8,13 @@
 #include <cmath>
 
 #include "foundation/numbers.hpp"
+#include "link_map/survey.hpp"
 
 namespace tocsin::link_map {
 namespace {
 
 using geometry::Point;
 
-constexpr double least_dbm = -120;
-constexpr std::size_t most_readings = 64;    // of a place
 constexpr std::size_t learned_places = 350;  // for the field's parameters: the rest says the same
 constexpr int stretches = 6;                 // that are left out, one after the other
 constexpr double normal_95 = 1.96;
@@ -36,15 +35,6 @@ std::vector<T> some_of(const std::vector<T>& all, std::size_t most) {
   std::vector<T> some;
   for (std::size_t i = 0; i < most; ++i) some.push_back(all[i * all.size() / most]);
   return some;
-}
-
-/// Mean of the middle half: fading has a long tail downwards.
-double midmean(std::vector<double>& values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t cut = values.size() / 4;
-  double sum = 0;
-  for (std::size_t i = cut; i < values.size() - cut; ++i) sum += values[i];
-  return sum / static_cast<double>(values.size() - 2 * cut);
 }
 
 double covariance(const Field& field, double distance_m) {
@@ -69,32 +59,9 @@ Eigen::MatrixXd covariance_of(const std::vector<Place>& places, const Field& fie
 }  // namespace
 
 std::vector<Place> LinkMap::places_of(const std::vector<Reading>& readings) {
-  std::map<std::pair<long, long>, std::size_t> known;
-  std::vector<Place> places;
-  std::vector<std::vector<double>> signals;
-  for (const Reading& reading : readings) {
-    const bool is_good = std::isfinite(reading.at.x_m) && std::isfinite(reading.at.y_m) &&
-                         std::abs(reading.at.x_m) < 1e6 && std::abs(reading.at.y_m) < 1e6 &&
-                         reading.signal_dbm >= least_dbm && reading.signal_dbm <= 0;
-    if (!is_good) continue;
-    const std::pair<long, long> cell{std::lround(std::floor(reading.at.x_m / place_m)),
-                                     std::lround(std::floor(reading.at.y_m / place_m))};
-    const auto [at, is_new] = known.emplace(cell, places.size());
-    if (is_new) {
-      places.push_back({});
-      signals.emplace_back();
-    }
-    Place& place = places[at->second];
-    const double share = 1.0 / ++place.readings;
-    place.at.x_m += share * (reading.at.x_m - place.at.x_m);
-    place.at.y_m += share * (reading.at.y_m - place.at.y_m);
-    // The newest push out the oldest.
-    std::vector<double>& kept = signals[at->second];
-    if (kept.size() < most_readings) kept.push_back(reading.signal_dbm);
-    kept[static_cast<std::size_t>(place.readings - 1) % most_readings] = reading.signal_dbm;
-  }
-  for (std::size_t i = 0; i < places.size(); ++i) places[i].signal_dbm = midmean(signals[i]);
-  return places;
+  Survey survey;
+  for (const Reading& reading : readings) (void)survey.add(reading);
+  return survey.places();
 }
 
 LinkMap::LinkMap(const std::vector<Place>& places) : places_(some_of(places, most_places)) {

@@ -12,7 +12,9 @@ namespace {
 
 constexpr std::size_t most_hypotheses = 80;
 constexpr std::size_t matched_hits = 120;
-constexpr double counts_at = 0.1;  // of `moved_`
+constexpr double counts_at = 0.1;   // of `moved_`
+constexpr int scans_to_count = 10;  // where it stands,
+constexpr int most_stood = 4;       // so often: a scan that is seen again says little new
 constexpr double same_m = 0.25;
 constexpr double same_rad = 15 * degree;
 constexpr double smoothing = 0.2;
@@ -30,6 +32,7 @@ constexpr double advance = 8;            // of a start that somebody has told
 constexpr double followed_above = 0.7;
 constexpr double comparable_above = 0.5;
 constexpr double carried_off = 0.3;
+constexpr int scans_to_be_elsewhere = 2;  // one may be of somebody who passes close by
 
 // What the map explains.
 constexpr double usual_at_first = 0.6;
@@ -148,7 +151,8 @@ void Localiser::move(const laser::Points& hits, const geometry::Pose& odom) {
   const auto [step, covariance, seen_before] = motion_.on_scan(hits, by_wheels);
   if (seen_before < followed_above) unfollow();
   if (seen_before < comparable_above) recent_.clear();
-  if (seen_before < carried_off) doubt();
+  unlike_scans_ = seen_before < carried_off ? unlike_scans_ + 1 : 0;
+  if (unlike_scans_ == scans_to_be_elsewhere) doubt();
   const double way_m = std::hypot(step.x_m, step.y_m);
   const double turn_rad = std::abs(geometry::wrap_angle(step.heading_rad));
   const double moved = way_m + turn_rad / 2;
@@ -191,8 +195,12 @@ void Localiser::settle(Hypothesis& hypothesis, const laser::Points& hits) {
 }
 
 void Localiser::weigh(const laser::Scan& scan) {
-  const bool counts = moved_ >= counts_at || recent_.empty();
+  const bool has_moved = moved_ >= counts_at || recent_.empty();
+  const bool has_stood = ++uncounted_ >= scans_to_count && stood_ < most_stood;
+  const bool counts = has_moved || has_stood;
   if (counts) {
+    stood_ = has_moved ? 0 : stood_ + 1;
+    uncounted_ = 0;
     moved_ = 0;
     recent_.add(scan);
   }

@@ -137,6 +137,27 @@ TEST_F(LocaliserTest, StaysSureAmongBoxesOnceItIs) {
   EXPECT_LT(off_m(run(1)), 0.1);
 }
 
+TEST_F(TwinsTest, CountsAScanOfAVehicleThatStandsWhenAsked) {
+  sut.start_anywhere();
+  (void)run(30);
+  (void)step(0);
+  const double before = sut.hypotheses().front().evidence;
+  (void)step(0);
+  EXPECT_DOUBLE_EQ(sut.hypotheses().front().evidence, before);
+  sut.count_next();
+  (void)step(0);
+  EXPECT_NE(sut.hypotheses().front().evidence, before);
+}
+
+TEST_F(LocaliserTest, FindsItselfWhileItStandsWhereNoOtherPlaceIsLikeIt) {
+  sut.start_anywhere();
+  std::optional<Localiser::Estimate> estimate;
+  for (int i = 0; i < 150; ++i) estimate = step(0);
+  ASSERT_TRUE(estimate);
+  EXPECT_EQ(estimate->health, Health::tracked);
+  EXPECT_LT(off_m(*estimate), 0.1);
+}
+
 TEST_F(LocaliserTest, NoticesThatItWasCarriedOffAndFindsItselfAgain) {
   sut.start_at(truth_, 0.1, 0.05);
   (void)run(50);

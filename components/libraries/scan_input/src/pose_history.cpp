@@ -38,4 +38,15 @@ std::optional<geometry::Pose> PoseHistory::at(std::int64_t stamp_ns) const {
                         geometry::wrap_angle(a.pose.heading_rad + share * turn_rad)};
 }
 
+std::optional<geometry::Twist> PoseHistory::velocity(std::int64_t from_ns,
+                                                     std::int64_t to_ns) const {
+  constexpr std::int64_t least_ns = 20'000'000;
+  const auto from = at(from_ns);
+  const auto to = at(to_ns);
+  if (!from || !to || to_ns - from_ns < least_ns) return std::nullopt;
+  const double s = static_cast<double>(to_ns - from_ns) * 1e-9;
+  const geometry::Pose step = relative(*from, *to);
+  return geometry::Twist{step.x_m / s, step.heading_rad / s};
+}
+
 }  // namespace tocsin

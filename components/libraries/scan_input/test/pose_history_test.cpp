@@ -39,5 +39,20 @@ TEST(PoseHistory, BeginsAnewWhenTheClockWasPutBack) {
   EXPECT_EQ(sut.at(3000 * ms)->x_m, 2);
 }
 
+TEST(PoseHistory, TellsTheMeanVelocityBetweenTwoTimes) {
+  PoseHistory sut;
+  for (int i = 0; i <= 10; ++i) sut.add(i * 20 * ms, {0.01 * i, 1, i <= 5 ? 0.0 : 0.02 * (i - 5)});
+  const auto straight = sut.velocity(0, 100 * ms);
+  ASSERT_TRUE(straight);
+  EXPECT_NEAR(straight->linear_mps, 0.5, 1e-9);
+  EXPECT_NEAR(straight->angular_rad_s, 0, 1e-9);
+  const auto both = sut.velocity(0, 200 * ms);
+  ASSERT_TRUE(both);
+  EXPECT_NEAR(both->angular_rad_s, 0.5, 1e-9) << "it began to turn half way";
+  EXPECT_FALSE(sut.velocity(0, 10 * ms));
+  EXPECT_FALSE(sut.velocity(-50 * ms, 100 * ms));
+  EXPECT_FALSE(sut.velocity(100 * ms, 900 * ms));
+}
+
 }  // namespace
 }  // namespace tocsin

@@ -14,7 +14,7 @@
 #include "foundation/printable.hpp"
 #include "foundation/read_file.hpp"
 #include "link_map/link_map.hpp"
-#include "signal_file.hpp"
+#include "link_map/signal_file.hpp"
 
 namespace tocsin::map_tool {
 namespace {
@@ -142,7 +142,8 @@ std::string link(const LinkOptions& options) {
   check_share("--leave-out", options.leave_out, 0.01, 0.9);
   check_share("--after", options.after.value_or(0.5), 0.1, 0.95);
   const std::string name = printable(options.file);
-  const auto readings = signals_in(read_file(options.file, longest_file), name, options.columns);
+  const auto readings =
+      link_map::signals_in(read_file(options.file, longest_file), name, options.columns);
   const Places places = LinkMap::places_of(readings);
   const Parts parts = split(places, options);
   if (parts.learned.size() < LinkMap::least_places || parts.left_out.empty()) {

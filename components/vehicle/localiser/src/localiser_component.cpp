@@ -68,7 +68,7 @@ LocaliserComponent::LocaliserComponent(Context& context, const Params& params)
 
 void LocaliserComponent::tick(Time now) {
   take_odometry();
-  take_orders(now);
+  take_orders();
   take_scan(now);
   publish_diagnostics(now);
   remember(now);
@@ -86,13 +86,21 @@ void LocaliserComponent::take_odometry() {
   }
 }
 
-void LocaliserComponent::take_orders(Time) {
+void LocaliserComponent::take_orders() {
   while (const auto pose = initial_pose_.take()) take_initial_pose(*pose);
   while (const auto call = reinitialize_.take()) {
     localiser_.start_anywhere();
     has_begun_ = true;
     log().info("looks for the vehicle everywhere");
     reinitialize_.reply(call->id, {});
+  }
+  while (const auto call = set_initial_pose_.take()) {
+    take_initial_pose(call->request->pose());
+    set_initial_pose_.reply(call->id, {});
+  }
+  while (const auto call = nomotion_.take()) {
+    localiser_.count_next();
+    nomotion_.reply(call->id, {});
   }
 }
 
@@ -118,7 +126,7 @@ void LocaliserComponent::begin(const geometry::Pose& odom) {
 }
 
 void LocaliserComponent::take_scan(Time now) {
-  const auto turn = scan_.take(velocity_);
+  const auto turn = scan_.take(odometry_, velocity_);
   if (!turn) return;
   const auto odom = odometry_.at(turn->stamp_ns);
   if (!odom) return;

@@ -22,6 +22,8 @@ struct Caller final : Component {
   using Component::Component;
   void tick(Time) override {}
   Client<ReinitializeGlobalLocalization> reinitialize{*this};
+  Client<SetInitialPose> set_initial_pose{*this};
+  Client<RequestNomotionUpdate> nomotion{*this};
 };
 
 /// A room of 6 m x 4 m with a corner cut out, a vehicle in it on circles.
@@ -154,6 +156,28 @@ TEST_F(LocaliserComponentTest, BelievesAPersonWhoSaysWhereItIs) {
   say_where({1, 1, 0}, "odom");
   drive(10);
   EXPECT_LT(off_m(), 0.05) << "refused";
+}
+
+TEST_F(LocaliserComponentTest, IsToldWhereItIsByNav2sService) {
+  params_.start_x_m = 1;
+  params_.start_y_m = 2;
+  start();
+  Caller caller(context_);
+  bus_.add(caller);
+  drive(5, 0);
+  ASSERT_GT(off_m(), 0.5);
+  SetInitialPose::Request request;
+  request.pose().header().frame_id("map");
+  request.pose().pose().pose(geometry::pose_message<geometry_msgs::msg::Pose>(truth_));
+  caller.set_initial_pose.call(std::move(request), bus_.now() + seconds(1));
+  drive(5, 0);
+  EXPECT_LT(off_m(), 0.05);
+  caller.nomotion.call({}, bus_.now() + seconds(1));
+  drive(2, 0);
+  const auto told = caller.set_initial_pose.take(bus_.now());
+  const auto counted = caller.nomotion.take(bus_.now());
+  ASSERT_TRUE(told && counted);
+  EXPECT_TRUE(told->response && counted->response);
 }
 
 TEST_F(LocaliserComponentTest, LooksEverywhereWhenAsked) {

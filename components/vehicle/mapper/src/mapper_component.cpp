@@ -135,7 +135,7 @@ void MapperComponent::take_odometry() {
 }
 
 void MapperComponent::take_scan(Time now) {
-  const auto turn = scan_.take(velocity_);
+  const auto turn = scan_.take(odometry_, velocity_);
   if (!turn) return;
   const auto odometry = odometry_.at(turn->stamp_ns);
   if (!odometry) return;

@@ -66,9 +66,13 @@ void Navigator::on_touch(double bearing_rad, double away_m, Time now) {
 Navigator::Output Navigator::update(Time now) {
   const Duration dt = last_update_ ? now - *last_update_ : Duration{0};
   last_update_ = now;
-  if (const char* reason = reason_to_halt(now)) {
+  const char* const reason_to_halt = this->reason_to_halt(now);
+  const bool is_blind = reason_to_halt != nullptr && !knows_pose(now) && is_busy(now);
+  blind_since_ = is_blind ? blind_since_.value_or(now) : std::optional<Time>();
+  if (reason_to_halt != nullptr) {
     const bool looks = may_look_around(now);
-    return stand(State::held, looks ? follower_.turn_by(look_radps, dt) : follower_.halt(), reason);
+    return stand(State::held, looks ? follower_.turn_by(look_radps, dt) : follower_.halt(),
+                 reason_to_halt);
   }
   if (!goals_.present()) return stand(State::idle, follower_.brake(dt), "no_goal");
   if (is_link_lost(now) && params_.on_link_lost == OnLinkLost::go_home) return go_home(now, dt);
@@ -81,11 +85,11 @@ Navigator::Output Navigator::update(Time now) {
   return drive({goals_.present_number(), goal.pose, goal.tolerance_m}, now, dt);
 }
 
-/// For a while, with a goal, when what is missing is the pose.
+/// Now and then for a while, with a goal, when what is missing is the pose.
 bool Navigator::may_look_around(Time now) const {
-  if (!params_.look_around || emergency_stop_ || !home_ || !is_busy(now)) return false;
-  const Duration missing = now - pose_time_;
-  return missing > look_after && missing < look_after + longest_look;
+  if (!params_.look_around || emergency_stop_ || !blind_since_) return false;
+  const Duration phase = (now - *blind_since_) % (look_after + longest_look);
+  return phase > look_after;
 }
 
 bool Navigator::is_busy(Time now) const {
@@ -103,9 +107,13 @@ Navigator::Status Navigator::status(State state, double distance_m, const char* 
   return {goal ? goal->mission : 0, goal ? goal->id : 0, state, distance_m, reason};
 }
 
+bool Navigator::knows_pose(Time now) const {
+  return home_ && now - pose_time_ <= seconds(params_.pose_timeout_s);
+}
+
 const char* Navigator::reason_to_halt(Time now) const {
   if (emergency_stop_) return "emergency_stop";
-  if (!home_ || now - pose_time_ > seconds(params_.pose_timeout_s)) return "no_pose";
+  if (!knows_pose(now)) return "no_pose";
   if (!surroundings_.sees(now)) return "no_scan";
   return nullptr;
 }

@@ -166,7 +166,20 @@ TEST_F(NavigatorObstaclesTest, LooksAroundWhenItDoesNotKnowWhereItIs) {
   vehicle.sut.on_emergency_stop(true);
   EXPECT_EQ(vehicle.step().velocity.angular_rad_s, 0);
   vehicle.sut.on_emergency_stop(false);
-  EXPECT_EQ(vehicle.run(70).velocity.angular_rad_s, 0) << "for a minute";
+  EXPECT_EQ(vehicle.run(59.5).velocity.angular_rad_s, 0) << "for a minute";
+  EXPECT_NEAR(vehicle.run(3).velocity.angular_rad_s, 0.5, 1e-9) << "and again";
+}
+
+TEST_F(NavigatorObstaclesTest, LooksAroundWithAGoalThoughItNeverKnewWhereItIs) {
+  Navigator::Params params = avoiding();
+  params.look_around = true;
+  Vehicle vehicle(params, 0);
+  vehicle.has_localisation = false;
+  EXPECT_EQ(vehicle.run(5).velocity.angular_rad_s, 0) << "without a goal it stands";
+  ASSERT_EQ(vehicle.send(1, {7, 1, 0}), Answer::accepted);
+  vehicle.sut.on_scan({}, vehicle.pose, vehicle.now);
+  EXPECT_EQ(vehicle.run(2.5).velocity.angular_rad_s, 0);
+  EXPECT_NEAR(vehicle.run(2).velocity.angular_rad_s, 0.5, 1e-9);
 }
 
 TEST(NavigatorWithoutLaser, NeedsNoScan) {

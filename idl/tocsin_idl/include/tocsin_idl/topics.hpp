@@ -194,6 +194,12 @@ struct MapTiles {
   using Message = tocsin_msgs::msg::MapTile;
   static constexpr TopicInfo info{"map_tiles", "event", Scope::link};
 };
+/// The map of the link's signal, frame map: 0 is -30 dBm and better, 100 is -90 dBm and worse; -1
+/// where it is not known to 8 dB.
+struct LinkMap {
+  using Message = nav_msgs::msg::OccupancyGrid;
+  static constexpr TopicInfo info{"link_map", "state", Scope::link};
+};
 /// What the explorer does: "idle", "exploring: ...", "waiting: ..." or "done: ..."
 struct ExploreStatus {
   using Message = std_msgs::msg::String;
@@ -315,7 +321,7 @@ struct ContainerState {
 
 using AllLinkTopics =
     List<Location, InitialPose, NetworkQuality, NavigationStatus, BatteryState, MemoryUsage,
-         CpuLoad, CpuTemperature, CameraImage, MapTiles, Goal, MissionStatus, SafetyStatus,
+         CpuLoad, CpuTemperature, CameraImage, MapTiles, LinkMap, Goal, MissionStatus, SafetyStatus,
          DockingStatus, TeleopCmdVel, DriverState, DriverRequest, DockingCommand, Heartbeat,
          TransmissionState, TrafficReport, LinkState>;
 

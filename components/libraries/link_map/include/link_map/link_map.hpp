@@ -4,8 +4,6 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <cstddef>
-#include <map>
-#include <utility>
 #include <vector>
 
 #include "geometry/pose.hpp"

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "foundation/numbers.hpp"
 #include "foundation/parameters.hpp"
 #include "geometry/pose.hpp"
 #include "laser_geometry/scan.hpp"
@@ -40,9 +41,10 @@ constexpr std::array<const char*, 3> words_of(Health) { return {"lost", "uncerta
 ///
 /// It keeps up to 80 hypotheses. Each is moved by odometry and matched to the map (`match`); what
 /// its beams meet is evidence for or against it (`BeamModel`). Evidence counts when the vehicle has
-/// moved, and fades, so that two rooms that are alike stay two hypotheses. Until one is sure, poses
-/// everywhere are tried again, in parts, scan by scan, so that no update takes long; the first time
-/// at once. A new one is asked what it would have seen on the last metres (`RecentScans`).
+/// moved, a few times where it stands, and fades, so that two rooms that are alike stay two
+/// hypotheses. Until one is sure, poses everywhere are tried again, in parts, scan by scan, so that
+/// no update takes long; the first time at once. A new one is asked what it would have seen on the
+/// last metres (`RecentScans`).
 ///
 /// Once it is sure it stays so while each scan shows what the one before did: only beams through
 /// walls, a jump, or a place beside it that fits better are reasons for doubt.
@@ -76,6 +78,8 @@ class Localiser {
   /// A scan, and where odometry said the vehicle was when it was made. Empty before the first
   /// start, and for a scan without hits or one that is the last again.
   std::optional<Estimate> update(const laser::Scan& scan, const geometry::Pose& odom);
+  /// The next scan is evidence though the vehicle has not moved.
+  void count_next() { moved_ = infinity; }
   [[nodiscard]] const std::vector<Hypothesis>& hypotheses() const { return hypotheses_; }
 
  private:
@@ -113,6 +117,9 @@ class Localiser {
   std::optional<laser::Scan> last_scan_;
   std::optional<geometry::Pose> odom_;
   double moved_ = 0;         ///< since evidence was last counted; 1 m or 2 rad are 1
+  int unlike_scans_ = 0;     ///< in a row that show another place
+  int uncounted_ = 0;        ///< scans since then
+  int stood_ = 0;            ///< times it was counted while it stood
   double since_search_ = 0;  ///< likewise, since poses everywhere were last tried
   double since_jump_m_ = 0;  ///< way since another hypothesis became the likeliest
   bool is_anywhere_ = false;

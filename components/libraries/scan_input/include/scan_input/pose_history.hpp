@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "geometry/pose.hpp"
+#include "geometry/twist.hpp"
 
 namespace tocsin {
 
@@ -17,6 +18,10 @@ class PoseHistory {
   /// Between the poses around that time on a straight way; the newest one for a time up to 0.2 s
   /// after it. Empty when it is older than what is kept, or newer than that.
   [[nodiscard]] std::optional<geometry::Pose> at(std::int64_t stamp_ns) const;
+  /// Mean velocity between two times. Empty when it does not know both, or they lie closer than
+  /// 20 ms.
+  [[nodiscard]] std::optional<geometry::Twist> velocity(std::int64_t from_ns,
+                                                        std::int64_t to_ns) const;
   void clear() { poses_.clear(); }
 
  private:

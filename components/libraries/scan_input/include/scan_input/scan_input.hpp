@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -10,6 +11,7 @@
 #include "laser_geometry/scan.hpp"
 #include "runtime/component.hpp"
 #include "runtime/port.hpp"
+#include "scan_input/pose_history.hpp"
 #include "tocsin_idl/topics.hpp"
 
 namespace tocsin {
@@ -29,8 +31,14 @@ class ScanInput {
 
   /// The newest turn that was not taken yet, seen by a vehicle that moves like this.
   [[nodiscard]] std::optional<Turn> take(const geometry::Twist& velocity);
+  /// The same for one that moved as its odometry says, and like this where that does not tell.
+  [[nodiscard]] std::optional<Turn> take(const PoseHistory& odometry,
+                                         const geometry::Twist& otherwise);
 
  private:
+  /// Of the vehicle from a first beam to the last one.
+  using Velocity = std::function<geometry::Twist(std::int64_t from_ns, std::int64_t to_ns)>;
+  [[nodiscard]] std::optional<Turn> take_at(const Velocity& velocity);
   void say_once(const std::string& what);
   OptionalInput<topic::Scan> scan_;
   OptionalInput<topic::TfStatic> tf_static_;

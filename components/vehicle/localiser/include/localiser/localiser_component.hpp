@@ -9,6 +9,7 @@
 #include "geometry/pose.hpp"
 #include "localisation/localiser.hpp"
 #include "map_ports/pose_output.hpp"
+#include "ros_idl/nav2_msgs.hpp"
 #include "ros_idl/std_srvs.hpp"
 #include "runtime/component.hpp"
 #include "runtime/port.hpp"
@@ -24,6 +25,19 @@ struct ReinitializeGlobalLocalization {
   using Request = std_srvs::srv::Empty_Request;
   using Response = std_srvs::srv::Empty_Response;
   static constexpr const char* name = "reinitialize_global_localization";
+};
+
+/// Likewise: it is where the request says.
+struct SetInitialPose {
+  using Request = nav2_msgs::srv::SetInitialPose_Request;
+  using Response = nav2_msgs::srv::SetInitialPose_Response;
+  static constexpr const char* name = "set_initial_pose";
+};
+/// Likewise: the next scan counts as evidence though the vehicle stands.
+struct RequestNomotionUpdate {
+  using Request = std_srvs::srv::Empty_Request;
+  using Response = std_srvs::srv::Empty_Response;
+  static constexpr const char* name = "request_nomotion_update";
 };
 
 /// Tells where the vehicle is on a known map, with each scan; names and types are those of nav2's
@@ -53,7 +67,7 @@ class LocaliserComponent final : public Component {
   void tick(Time now) override;
 
  private:
-  void take_orders(Time now);
+  void take_orders();
   void take_odometry();
   void take_initial_pose(const topic::InitialPose::Message& message);
   void take_scan(Time now);
@@ -68,6 +82,8 @@ class LocaliserComponent final : public Component {
   ScanInput scan_{*this};
   OptionalInput<topic::InitialPose> initial_pose_{*this};
   Server<ReinitializeGlobalLocalization> reinitialize_{*this};
+  Server<SetInitialPose> set_initial_pose_{*this};
+  Server<RequestNomotionUpdate> nomotion_{*this};
   PoseOutput pose_{*this};
   Output<topic::ParticleCloud> cloud_{*this};
   Output<topic::Diagnostics> diagnostics_{*this};

@@ -135,6 +135,7 @@ class Navigator {
   [[nodiscard]] Status status(State state, double distance_m, const char* reason) const;
   Output stand(State state, const geometry::Twist& velocity, const char* reason);
   [[nodiscard]] bool may_look_around(Time now) const;
+  [[nodiscard]] bool knows_pose(Time now) const;
   Output go_home(Time now, Duration dt);
   Output drive(const Target& target, Time now, Duration dt);
   Output drive_path(const Target& target, Time now, Duration dt);
@@ -155,6 +156,7 @@ class Navigator {
 
   GoalList goals_;
   std::optional<geometry::Pose> home_;  // the first pose
+  std::optional<Time> blind_since_;     // with a goal and without a pose
   geometry::Pose pose_;
   Time pose_time_{};
   std::optional<Time> heard_;

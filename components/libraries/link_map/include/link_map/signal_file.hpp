@@ -7,7 +7,7 @@
 
 #include "link_map/link_map.hpp"
 
-namespace tocsin::map_tool {
+namespace tocsin::link_map {
 
 /// Reads positions with signal, a line each, in the order of the drive: columns apart by commas,
 /// semicolons or spaces, named in the first line. `columns`: "x,y,signal", the names to take;
@@ -16,8 +16,10 @@ namespace tocsin::map_tool {
 /// and signals outside of [-120, 0] dBm, which cards use for "not measured", are left out.
 ///
 /// Throws ConfigError naming `name`, line, column, text and what is allowed.
-[[nodiscard]] std::vector<link_map::Reading> signals_in(std::string_view text,
-                                                        const std::string& name,
-                                                        const std::string& columns);
+[[nodiscard]] std::vector<Reading> signals_in(std::string_view text, const std::string& name,
+                                              const std::string& columns);
 
-}  // namespace tocsin::map_tool
+/// The same as `signals_in` reads: the columns x_m, y_m, signal_dbm.
+[[nodiscard]] std::string signal_text(const std::vector<Reading>& readings);
+
+}  // namespace tocsin::link_map

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "signal_file.hpp"
+#include "link_map/signal_file.hpp"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@
 #include "foundation/numbers.hpp"
 #include "foundation/printable.hpp"
 
-namespace tocsin::map_tool {
+namespace tocsin::link_map {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -92,9 +92,9 @@ double number_in(const std::string& cell, const std::string& column, const std::
 
 }  // namespace
 
-std::vector<link_map::Reading> signals_in(std::string_view text, const std::string& name,
-                                          const std::string& columns) {
-  std::vector<link_map::Reading> readings;
+std::vector<Reading> signals_in(std::string_view text, const std::string& name,
+                                const std::string& columns) {
+  std::vector<Reading> readings;
   Words header;
   std::array<std::size_t, 3> places{};
   char separator = ' ';
@@ -124,4 +124,13 @@ std::vector<link_map::Reading> signals_in(std::string_view text, const std::stri
   return readings;
 }
 
-}  // namespace tocsin::map_tool
+std::string signal_text(const std::vector<Reading>& readings) {
+  std::string text = "x_m,y_m,signal_dbm\n";
+  for (const Reading& reading : readings) {
+    text +=
+        fmt::format("{:.2f},{:.2f},{:.1f}\n", reading.at.x_m, reading.at.y_m, reading.signal_dbm);
+  }
+  return text;
+}
+
+}  // namespace tocsin::link_map

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "devices/background.hpp"
+#include "link_map/link_map.hpp"
+#include "link_mapper/signal_grid.hpp"
+
+namespace tocsin {
+
+/// Learns the map and saves readings beside its component, since both may take long. One thread
+/// calls it.
+class LinkMapWorker {
+ public:
+  explicit LinkMapWorker(std::unique_ptr<Background> background)
+      : background_(std::move(background)) {}
+
+  [[nodiscard]] bool is_busy() const { return background_->waiting() > 0; }
+  /// At least LinkMap::least_places of them; of many, 300 evenly chosen ones are used.
+  void learn(std::vector<link_map::Place> places);
+  void save(const std::string& path, std::string text);
+
+  /// The map that was learned since the last look.
+  [[nodiscard]] std::optional<SignalGrid> take_grid();
+  /// Why saving failed.
+  [[nodiscard]] std::optional<std::string> take_error();
+
+ private:
+  std::mutex mutex_;
+  std::optional<SignalGrid> grid_;
+  std::optional<std::string> error_;
+  // Last: ends before what it works on.
+  std::unique_ptr<Background> background_;
+};
+
+}  // namespace tocsin

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "link_mapper/signal_grid.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace tocsin {
+namespace {
+
+struct Span {
+  double from_m = 0;
+  int cells = 0;
+};
+
+/// In whole cells, so that a map that grows keeps its squares.
+Span span_of(double low_m, double high_m) {
+  const double middle_m = (low_m + high_m) / 2;
+  const double half_m =
+      std::min((high_m - low_m) / 2 + SignalGrid::around_m, SignalGrid::most_side_m / 2);
+  const double from_m = std::floor((middle_m - half_m) / SignalGrid::cell_m) * SignalGrid::cell_m;
+  return {from_m, static_cast<int>(std::ceil((middle_m + half_m - from_m) / SignalGrid::cell_m))};
+}
+
+}  // namespace
+
+std::int8_t cell_of(const link_map::Prediction& prediction) {
+  constexpr double best_dbm = -30;
+  constexpr double span_db = 60;
+  if (!(prediction.deviation_db <= SignalGrid::known_db)) return -1;
+  const double share = std::clamp((best_dbm - prediction.mean_dbm) / span_db, 0.0, 1.0);
+  return static_cast<std::int8_t>(std::lround(100 * share));
+}
+
+SignalGrid grid_of(const link_map::LinkMap& map, const std::vector<link_map::Place>& places) {
+  assert(!places.empty());
+  geometry::Point low = places.front().at;
+  geometry::Point high = low;
+  for (const link_map::Place& place : places) {
+    low = {std::min(low.x_m, place.at.x_m), std::min(low.y_m, place.at.y_m)};
+    high = {std::max(high.x_m, place.at.x_m), std::max(high.y_m, place.at.y_m)};
+  }
+  const Span columns = span_of(low.x_m, high.x_m);
+  const Span rows = span_of(low.y_m, high.y_m);
+  SignalGrid grid{{columns.from_m, rows.from_m}, columns.cells, rows.cells, {}};
+  for (int row = 0; row < grid.height; ++row) {
+    for (int column = 0; column < grid.width; ++column) {
+      const geometry::Point middle{grid.origin.x_m + (column + 0.5) * SignalGrid::cell_m,
+                                   grid.origin.y_m + (row + 0.5) * SignalGrid::cell_m};
+      grid.cells.push_back(cell_of(map.predict(middle)));
+    }
+  }
+  return grid;
+}
+
+}  // namespace tocsin
