@@ -117,10 +117,11 @@ class Bench {
       ++this.pictures;
       return {} as CanvasImageSource;
     },
+    signalPicture: () => ({}) as CanvasImageSource,
   });
 
   constructor(trail = zigzag(2000)) {
-    this.scene = { map: make.grid(0.5, 2, [0, 0]), accessPoint: { x: 1, y: 1 }, trail };
+    this.scene = { map: make.grid(0.5, 2, [0, 0]), linkMap: undefined, accessPoint: { x: 1, y: 1 }, trail };
   }
 
   /** What one more frame draws. */
@@ -164,6 +165,7 @@ describe("Backdrop", () => {
     "the pixels of the screen": (sut) => (sut.ratio = 2),
     "the colours": (sut) => (sut.theme = { ...sut.theme }),
     "the map": (sut) => (sut.scene = { ...sut.scene, map: undefined }),
+    "the link's map": (sut) => (sut.scene = { ...sut.scene, linkMap: make.grid(1, 1, [50]) }),
     "the access point": (sut) => (sut.scene = { ...sut.scene, accessPoint: { x: 1, y: 2 } }),
     "the trail": (sut) => (sut.scene = { ...sut.scene, trail: zigzag(3) }),
     "the trail's beginning": (sut) => sut.scene.trail.clear(),
@@ -190,7 +192,7 @@ describe("Backdrop", () => {
   });
   it("does without map, access point and trail", () => {
     const sut = new Bench(new Trail());
-    sut.scene = { map: undefined, accessPoint: undefined, trail: sut.scene.trail };
+    sut.scene = { map: undefined, linkMap: undefined, accessPoint: undefined, trail: sut.scene.trail };
     assert.deepEqual(sut.draw(), { front: 0, back: 0, lines: 0, wholes: 1 });
   });
 });

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { describe, it } from "node:test";
 
 import { noteShift, scaleLengthM } from "../src/map/draw.ts";
-import { gridPixels, isFree, knownBounds } from "../src/map/grid.ts";
+import { gridPixels, isFree, knownBounds, signalPixels } from "../src/map/grid.ts";
 import { Viewport, greatestScale } from "../src/map/viewport.ts";
 import * as make from "./messages.ts";
 
@@ -61,6 +61,13 @@ describe("Grid", () => {
     const colours = { free: [1, 1, 1, 255], occupied: [2, 2, 2, 255], unknown: [3, 3, 3, 255] } as const;
     const pixels = gridPixels(grid, colours);
     assert.deepEqual([...pixels].filter((_, index) => index % 4 === 0), [3, 3, 3, 3, 1, 2]);
+  });
+  it("tints the floor by the link's signal, and leaves clear what is not known", () => {
+    const steps = [1, 2, 3, 4, 5].map((red) => [red, 0, 0, 90] as const);
+    const pixels = signalPixels(make.grid(0.5, 3, [-1, 0, 100, 40, 60, 10], 5, 6), steps);
+    const [reds, alphas] = [0, 3].map((at) => [...pixels].filter((_, index) => index % 4 === at));
+    assert.deepEqual(reds, [4, 2, 5, 0, 5, 1]);
+    assert.deepEqual(alphas, [90, 90, 90, 0, 90, 90]);
   });
   it("knows where a vehicle may be sent", () => {
     assert.equal(isFree(grid, { x: 5.6, y: 6.4 }), true);

@@ -11,6 +11,7 @@ import { Viewport } from "./viewport.ts";
 /** Drawn behind what moves. */
 export interface Scene {
   readonly map: OccupancyGrid | undefined;
+  readonly linkMap: OccupancyGrid | undefined;
   readonly accessPoint: Point | undefined;
   readonly trail: Trail;
 }
@@ -29,14 +30,15 @@ export interface Tools {
   path(): Path2D;
   /** Of a map, in the present colours. */
   picture(map: OccupancyGrid): CanvasImageSource;
+  signalPicture(linkMap: OccupancyGrid): CanvasImageSource;
 }
 
 /** On each side the picture is larger than the canvas by this share of it, so that the map can be moved. */
 const marginShare = 0.25;
 
 /**
- * Map, access point and the trail but for its tail. The picture grows by the trail's new points only; all
- * is drawn again when scale, size, colours, map or access point change, when old points of the trail went
+ * Map, signal, access point and the trail but for its tail. The picture grows by the trail's new points only; all
+ * is drawn again when scale, size, colours, maps or access point change, when old points of the trail went
  * away, or when the map was moved beyond the picture's margin.
  */
 export class Backdrop {
@@ -53,8 +55,8 @@ export class Backdrop {
   /** Onto a canvas with `ratio` pixels for each of CSS; the first thing there. */
   draw(sheet: Sheet, ratio: number, scene: Scene): void {
     const { size, view, theme, context } = sheet;
-    const { map, accessPoint, trail } = scene;
-    const look = [view.scale, size.width, size.height, ratio, theme, map, accessPoint?.x, accessPoint?.y, trail, trail.cuts];
+    const { map, linkMap, accessPoint, trail } = scene;
+    const look = [view.scale, size.width, size.height, ratio, theme, map, linkMap, accessPoint?.x, accessPoint?.y, trail, trail.cuts];
     const isSame = look.every((one, index) => one === this.#drawn[index]) && this.#holds(sheet);
     const layer = isSame && this.#sheet ? this.#sheet : this.#begin(sheet, ratio, scene);
     this.#drawn = look;
@@ -81,7 +83,7 @@ export class Backdrop {
     return x <= 0 && y <= 0 && x + layer.size.width >= width && y + layer.size.height >= height;
   }
 
-  #begin({ view, size, theme }: Sheet, ratio: number, { map, accessPoint }: Scene): Sheet {
+  #begin({ view, size, theme }: Sheet, ratio: number, { map, linkMap, accessPoint }: Scene): Sheet {
     const larger = (length: number): number => length + 2 * Math.ceil(length * marginShare);
     const layerSize = { width: larger(size.width), height: larger(size.height) };
     const { context } = this.#layer;
@@ -91,6 +93,7 @@ export class Backdrop {
     this.#sheet = sheet;
     this.#pieces.restart();
     if (map) drawGrid(sheet, map, this.tools.picture(map));
+    if (linkMap) drawGrid(sheet, linkMap, this.tools.signalPicture(linkMap));
     if (accessPoint) drawAccessPoint(sheet, accessPoint);
     return sheet;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Point } from "../model/geometry.ts";
 import type { OccupancyGrid } from "../model/messages.ts";
+import { qualityStep } from "../model/quality.ts";
 import type { Bounds } from "./viewport.ts";
 
 export type Rgba = readonly [number, number, number, number];
@@ -26,13 +27,24 @@ export function isFree({ info, data }: OccupancyGrid, place: Point): boolean {
 
 /** Pixels of a map, the row with the greatest y first; 4 bytes each. */
 export function gridPixels(grid: OccupancyGrid, colours: GridColours): Uint8ClampedArray<ArrayBuffer> {
+  return pixelsOf(grid, (cell) =>
+    cell < 0 ? colours.unknown : cell >= occupiedFrom ? colours.occupied : colours.free,
+  );
+}
+
+/** The same of a map of the link's signal, `steps` from worst to best; what is not known is clear. */
+export function signalPixels(grid: OccupancyGrid, steps: readonly Rgba[]): Uint8ClampedArray<ArrayBuffer> {
+  const clear: Rgba = [0, 0, 0, 0];
+  return pixelsOf(grid, (cell) => steps[qualityStep(cell < 0 ? undefined : 100 - cell) ?? -1] ?? clear);
+}
+
+function pixelsOf(grid: OccupancyGrid, colourOf: (cell: number) => Rgba): Uint8ClampedArray<ArrayBuffer> {
   const { width, height } = grid.info;
   const pixels = new Uint8ClampedArray(4 * width * height);
   for (let row = 0; row < height; ++row) {
     for (let column = 0; column < width; ++column) {
       const cell = grid.data[row * width + column] ?? -1;
-      const colour = cell < 0 ? colours.unknown : cell >= occupiedFrom ? colours.occupied : colours.free;
-      pixels.set(colour, 4 * ((height - 1 - row) * width + column));
+      pixels.set(colourOf(cell), 4 * ((height - 1 - row) * width + column));
     }
   }
   return pixels;

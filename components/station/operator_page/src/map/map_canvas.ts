@@ -5,7 +5,7 @@ import type { OccupancyGrid, Waypoint } from "../model/messages.ts";
 import type { Operator } from "../operator.ts";
 import { Backdrop, type Layer } from "./backdrop.ts";
 import { type Sheet, drawDraft, drawEllipse, drawLine, drawPlace, drawRoute, drawScale, drawVehicle } from "./draw.ts";
-import { gridPixels, knownBounds } from "./grid.ts";
+import { gridPixels, knownBounds, signalPixels } from "./grid.ts";
 import { MapHands } from "./map_hands.ts";
 import { type Theme, readTheme } from "./theme.ts";
 import { type Bounds, type Size, Viewport } from "./viewport.ts";
@@ -25,6 +25,7 @@ export class MapCanvas {
     layer: newLayer,
     path: () => new Path2D(),
     picture: (map) => this.#picture(map),
+    signalPicture: (linkMap) => pictureOf(linkMap, signalPixels(linkMap, this.#theme.signal)),
   });
   #way = new WayAhead();
   #draftWay = new WayAhead();
@@ -131,7 +132,8 @@ export class MapCanvas {
     if (this.follows && station.location) this.#view = this.#view.centredAt(station.location.value);
     const sheet = { context: this.#context, view: this.#view, size, theme: this.#theme };
     const { accessPoint } = this.operator;
-    this.#backdrop.draw(sheet, window.devicePixelRatio || 1, { map, accessPoint, trail: station.trail });
+    const { linkMap, trail } = station;
+    this.#backdrop.draw(sheet, window.devicePixelRatio || 1, { map, linkMap, accessPoint, trail });
     const place = station.location?.value;
     const route = station.route.points();
     const isOver = station.mission !== undefined && ["done", "aborted"].includes(station.mission.value.state);
@@ -168,13 +170,17 @@ export class MapCanvas {
   #picture(grid: OccupancyGrid): CanvasImageSource {
     const theme = this.#theme;
     if (this.#grid?.of === grid && this.#grid.theme === theme) return this.#grid.picture;
-    const { width, height } = grid.info;
-    const { image, context, resize } = newLayer();
-    resize(width, height);
-    context.putImageData(new ImageData(gridPixels(grid, theme.grid), width, height), 0, 0);
-    this.#grid = { of: grid, theme, picture: image };
-    return image;
+    const picture = pictureOf(grid, gridPixels(grid, theme.grid));
+    this.#grid = { of: grid, theme, picture };
+    return picture;
   }
+}
+
+function pictureOf({ info: { width, height } }: OccupancyGrid, pixels: Uint8ClampedArray<ArrayBuffer>): CanvasImageSource {
+  const { image, context, resize } = newLayer();
+  resize(width, height);
+  context.putImageData(new ImageData(pixels, width, height), 0, 0);
+  return image;
 }
 
 function newLayer(): Layer {

@@ -13,7 +13,12 @@ export interface Theme {
   readonly halo: string;
   readonly quality: readonly string[];
   readonly grid: GridColours;
+  /** Of the link's signal over the floor, worst first. */
+  readonly signal: readonly Rgba[];
 }
+
+/** The floor shines through. */
+const signalOf = ([red, green, blue]: Rgba): Rgba => [red, green, blue, 90];
 
 export function readTheme(): Theme {
   const style = getComputedStyle(document.documentElement);
@@ -33,6 +38,7 @@ export function readTheme(): Theme {
     goal: colour("goal"),
     halo: colour("halo"),
     quality: Array.from({ length: qualitySteps }, (_, step) => colour(`quality-${step}`)),
+    signal: Array.from({ length: qualitySteps }, (_, step) => signalOf(rgba(`quality-${step}`))),
     grid: {
       free: rgba("map-free"),
       occupied: rgba("map-wall"),

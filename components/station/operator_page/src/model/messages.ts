@@ -62,6 +62,7 @@ const topics = {
   rosout: of<Log>(),
   map: of<OccupancyGrid>(),
   map_updates: of<OccupancyGridUpdate>(),
+  link_map: of<OccupancyGrid>(),
   plan: of<Path>(),
 };
 

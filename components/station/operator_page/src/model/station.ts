@@ -92,6 +92,8 @@ export class Station {
   stop: Heard<EmergencyStopState> | undefined;
   docking: Heard<DockingStatus> | undefined;
   map: OccupancyGrid | undefined;
+  /** Of the link's signal: 0 is best, 100 is worst, -1 is not known. */
+  linkMap: OccupancyGrid | undefined;
   plan: Heard<Path> | undefined;
   /** When anything of the vehicle was last heard. */
   vehicleHeard: number | undefined;
@@ -182,6 +184,7 @@ export class Station {
     rosout: (message, at) => this.#onLog(message, at),
     map: (value) => (this.map = value),
     map_updates: (tile) => (this.map = (this.map && withTile(this.map, tile)) ?? this.map),
+    link_map: (value) => (this.linkMap = value),
     plan: (value, at) => (this.plan = { value, at }),
   };
 
