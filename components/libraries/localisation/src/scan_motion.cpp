@@ -54,10 +54,10 @@ laser::Points far_of(const laser::Points& hits) {
 }
 
 double seen_before(const DistanceMap& key, const laser::Points& hits, const Pose& pose) {
-  constexpr double same_m = 0.15;
+  constexpr double seen_m = 0.15;
   const laser::Points placed = laser::transformed(far_of(hits), pose);
   const auto count = std::count_if(placed.begin(), placed.end(), [&](const geometry::Point& hit) {
-    return key.nearest_m(hit) < same_m;
+    return key.nearest_m(hit) < seen_m;
   });
   return static_cast<double>(count) / static_cast<double>(placed.size());
 }
