@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "foundation/numbers.hpp"
+#include "foundation/some_of.hpp"
 #include "link_map/survey.hpp"
 
 namespace tocsin::link_map {
@@ -28,14 +29,6 @@ constexpr double usual_exponents = 1;
 constexpr double most_far_factor = 4;
 
 Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
-
-template <class T>
-std::vector<T> some_of(const std::vector<T>& all, std::size_t most) {
-  if (all.size() <= most) return all;
-  std::vector<T> some;
-  for (std::size_t i = 0; i < most; ++i) some.push_back(all[i * all.size() / most]);
-  return some;
-}
 
 double covariance(const Field& field, double distance_m) {
   return field.variance_db2 * std::exp(-distance_m / field.range_m) +

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 
+#include "foundation/some_of.hpp"
+
 namespace tocsin::localisation {
 namespace {
 
-constexpr std::size_t asked_beams = 45;
 constexpr double wall_m = 0.12;    // a hit so near to a wall is of the wall
 constexpr double exact_m = 0.04;   // a hit so near to it could not be better,
 constexpr double early_m = 0.2;    // and one so far from it is of something else
@@ -23,13 +24,6 @@ double beside_wall(double away_m) {
 }
 
 }  // namespace
-
-laser::Points some_of(const laser::Points& hits, std::size_t most) {
-  if (hits.size() <= most) return hits;
-  laser::Points some;
-  for (std::size_t i = 0; i < most; ++i) some.push_back(hits[i * hits.size() / most]);
-  return some;
-}
 
 Evidence BeamModel::evidence_of(const laser::Scan& scan, const geometry::Pose& pose) const {
   const geometry::Point laser = laser::transformed({scan.laser}, pose).front();

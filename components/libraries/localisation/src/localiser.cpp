@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "foundation/numbers.hpp"
+#include "foundation/some_of.hpp"
 
 namespace tocsin::localisation {
 namespace {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "localisation/recent_scans.hpp"
 
+#include "foundation/some_of.hpp"
+
 namespace tocsin::localisation {
 namespace {
 
 constexpr std::size_t most_scans = 20;
-constexpr std::size_t kept_hits = 45;
 
 }  // namespace
 
@@ -14,7 +15,7 @@ void RecentScans::move(const geometry::Pose& step) {
 }
 
 void RecentScans::add(const laser::Scan& scan) {
-  scans_.push_front({{scan.laser, some_of(scan.hits, kept_hits), {}, {}}, {}});
+  scans_.push_front({{scan.laser, some_of(scan.hits, BeamModel::asked_beams), {}, {}}, {}});
   if (scans_.size() > most_scans) scans_.pop_back();
 }
 

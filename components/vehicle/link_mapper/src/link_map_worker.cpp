@@ -4,32 +4,27 @@
 #include <utility>
 
 #include "foundation/replace_file.hpp"
+#include "foundation/some_of.hpp"
+#include "link_map/signal_file.hpp"
 
 namespace tocsin {
 namespace {
 
 constexpr std::size_t most_places = 300;  // a tenth of a second of learning
 
-std::vector<link_map::Place> some_of(std::vector<link_map::Place> all) {
-  if (all.size() <= most_places) return all;
-  std::vector<link_map::Place> some;
-  for (std::size_t i = 0; i < most_places; ++i) some.push_back(all[i * all.size() / most_places]);
-  return some;
-}
-
 }  // namespace
 
-void LinkMapWorker::learn(std::vector<link_map::Place> places) {
-  background_->post([this, places = some_of(std::move(places))] {
+void LinkMapWorker::learn(const std::vector<link_map::Place>& places) {
+  background_->post([this, places = some_of(places, most_places)] {
     SignalGrid grid = grid_of(link_map::LinkMap(places), places);
     const std::lock_guard<std::mutex> lock(mutex_);
     grid_ = std::move(grid);
   });
 }
 
-void LinkMapWorker::save(const std::string& path, std::string text) {
-  background_->post([this, path, text = std::move(text)] {
-    const auto failed = replace_file(path, text);
+void LinkMapWorker::save(const std::string& path, std::vector<link_map::Reading> readings) {
+  background_->post([this, path, readings = std::move(readings)] {
+    const auto failed = replace_file(path, link_map::signal_text(readings));
     if (!failed) return;
     const std::lock_guard<std::mutex> lock(mutex_);
     error_ = failed.message();

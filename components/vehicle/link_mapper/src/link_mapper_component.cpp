@@ -37,7 +37,7 @@ LinkMapperComponent::LinkMapperComponent(Context& context, const Params& params)
 }
 
 LinkMapperComponent::~LinkMapperComponent() {
-  if (keeps() && unsaved_ > 0) worker_.save(file(), link_map::signal_text(survey_.readings()));
+  if (keeps() && unsaved_ > 0) worker_.save(file(), survey_.readings());
 }
 
 void LinkMapperComponent::tick(Time now) {
@@ -103,7 +103,7 @@ void LinkMapperComponent::save(Time now) {
   if (!keeps() || unsaved_ == 0 || now < next_save_ || worker_.is_busy()) return;
   next_save_ = now + seconds(params_.save_every_s);
   unsaved_ = 0;
-  worker_.save(file(), link_map::signal_text(survey_.readings()));
+  worker_.save(file(), survey_.readings());
 }
 
 }  // namespace tocsin

@@ -66,13 +66,12 @@ void Navigator::on_touch(double bearing_rad, double away_m, Time now) {
 Navigator::Output Navigator::update(Time now) {
   const Duration dt = last_update_ ? now - *last_update_ : Duration{0};
   last_update_ = now;
-  const char* const reason_to_halt = this->reason_to_halt(now);
-  const bool is_blind = reason_to_halt != nullptr && !knows_pose(now) && is_busy(now);
+  const char* const halts = reason_to_halt(now);
+  const bool is_blind = halts != nullptr && !knows_pose(now) && is_busy(now);
   blind_since_ = is_blind ? blind_since_.value_or(now) : std::optional<Time>();
-  if (reason_to_halt != nullptr) {
+  if (halts != nullptr) {
     const bool looks = may_look_around(now);
-    return stand(State::held, looks ? follower_.turn_by(look_radps, dt) : follower_.halt(),
-                 reason_to_halt);
+    return stand(State::held, looks ? follower_.turn_by(look_radps, dt) : follower_.halt(), halts);
   }
   if (!goals_.present()) return stand(State::idle, follower_.brake(dt), "no_goal");
   if (is_link_lost(now) && params_.on_link_lost == OnLinkLost::go_home) return go_home(now, dt);

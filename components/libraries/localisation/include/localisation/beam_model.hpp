@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <vector>
+#include <cstddef>
 
 #include "geometry/pose.hpp"
 #include "laser_geometry/scan.hpp"
@@ -18,9 +18,11 @@ struct Evidence {
 };
 
 /// A beam that ends at a wall speaks for a pose, one that ends early (a box, a person) a little
-/// against it, one that went through a wall much. At most 45 beams of a scan are asked.
+/// against it, one that went through a wall much.
 class BeamModel {
  public:
+  static constexpr std::size_t asked_beams = 45;  ///< of a scan, at most
+
   /// Both must outlive it.
   BeamModel(const navigation::OccupancyMap& map, const DistanceMap& distances)
       : map_(map), distances_(distances) {}
@@ -33,8 +35,5 @@ class BeamModel {
   const navigation::OccupancyMap& map_;
   const DistanceMap& distances_;
 };
-
-/// At most so many of the hits, evenly spaced.
-[[nodiscard]] laser::Points some_of(const laser::Points& hits, std::size_t most);
 
 }  // namespace tocsin::localisation

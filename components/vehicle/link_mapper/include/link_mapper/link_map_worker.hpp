@@ -22,8 +22,8 @@ class LinkMapWorker {
 
   [[nodiscard]] bool is_busy() const { return background_->waiting() > 0; }
   /// At least LinkMap::least_places of them; of many, 300 evenly chosen ones are used.
-  void learn(std::vector<link_map::Place> places);
-  void save(const std::string& path, std::string text);
+  void learn(const std::vector<link_map::Place>& places);
+  void save(const std::string& path, std::vector<link_map::Reading> readings);
 
   /// The map that was learned since the last look.
   [[nodiscard]] std::optional<SignalGrid> take_grid();
