@@ -11,6 +11,8 @@ namespace tocsin::navigation {
 namespace {
 
 constexpr int passes_to_clear = 2;
+constexpr double same_m = 0.25;  // what is seen so near to where something was touched is that
+constexpr Duration seen_lately = std::chrono::milliseconds(500);
 
 std::size_t bin_of(double bearing_rad, std::size_t bins) {
   const double share = geometry::wrap_angle(bearing_rad) / (2 * pi) + 0.5;
@@ -90,11 +92,20 @@ void ObstacleLayer::on_touch(const geometry::Point& at, Time now) {
   const auto cell = map_.grid().cell_of(at);
   if (!cell) return;
   const std::size_t offset = map_.grid().offset(*cell);
+  const bool is_seen = sees_near(at, now);
   Mark& mark = marks_[offset];
   mark.seen = now;
-  mark.kept_until = now + seconds(params_.remember_touch_s);
+  if (!is_seen) mark.kept_until = now + seconds(params_.remember_touch_s);
   if (is_marked_[offset] == 0) ++version_;
   is_marked_[offset] = 1;
+}
+
+bool ObstacleLayer::sees_near(const geometry::Point& at, Time now) const {
+  return std::any_of(marks_.begin(), marks_.end(), [&](const auto& known) {
+    const auto& [offset, mark] = known;
+    return mark.kept_until == Time::min() && now - mark.seen <= seen_lately &&
+           distance(at, map_.grid().centre(cell_at(offset))) <= same_m;
+  });
 }
 
 /// A cell is passed through when the beams towards its middle end behind it.

@@ -67,8 +67,8 @@ geometry::Twist PathFollower::turn_to(const geometry::Pose& pose, double yaw_rad
   return limited(turn(geometry::wrap_angle(yaw_rad - pose.heading_rad)), dt);
 }
 
-geometry::Twist PathFollower::turn_by(double rate_radps, Duration dt) {
-  return limited({0, rate_radps}, dt);
+geometry::Twist PathFollower::move_at(const geometry::Twist& velocity, Duration dt) {
+  return limited(velocity, dt);
 }
 
 geometry::Twist PathFollower::brake(Duration dt) { return limited({0, 0}, dt); }

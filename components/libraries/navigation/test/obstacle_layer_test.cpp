@@ -94,6 +94,18 @@ TEST_F(ObstacleLayerTest, WhatWasTouchedStaysThoughBeamsPassOverIt) {
   EXPECT_TRUE(sut_.cells().empty());
 }
 
+TEST_F(ObstacleLayerTest, WhatWasTouchedAndIsSeenGoesWhenItWalksAway) {
+  look({{0.3, 0}});
+  sut_.on_touch({0.2, 0.1}, now_);
+  look({});
+  look({});
+  EXPECT_FALSE(sut_.touches({0.2, 0.1}, 0.1));
+  sut_.on_touch({0.2, 0.1}, now_);
+  look({});
+  look({});
+  EXPECT_TRUE(sut_.touches({0.2, 0.1}, 0.1)) << "no beam met this one";
+}
+
 TEST_F(ObstacleLayerTest, SeesFromWhereTheVehicleStands) {
   sut_.on_scan(seen({{2, 0}}), {1, -2, pi / 2}, now_);
   EXPECT_TRUE(sut_.touches({1, -0.1}, 0.06));

@@ -18,9 +18,6 @@ constexpr double moved_m = 0.05;  // more is progress
 constexpr double turned_rad = 0.1;
 constexpr double slow_mps = 0.15;
 constexpr double bumper_gap_m = 0.05;  // left between a wall and a vehicle that braked before it
-constexpr double look_radps = 0.5;
-constexpr Duration look_after = std::chrono::seconds(3);  // without a pose
-constexpr Duration longest_look = std::chrono::seconds(60);
 constexpr Duration back_up_time = std::chrono::milliseconds(1500);
 
 geometry::Pose ahead(const geometry::Pose& pose, double metres) {
@@ -58,6 +55,12 @@ void Navigator::on_pose(const geometry::Pose& pose, Time now) {
   if (!home_) home_ = pose;
 }
 
+void Navigator::on_scan(const laser::Scan& scan, const std::optional<geometry::Pose>& pose,
+                        Time now) {
+  look_around_.on_scan(scan, now);
+  if (pose) surroundings_.on_scan(scan, *pose, now);
+}
+
 void Navigator::on_touch(double bearing_rad, double away_m, Time now) {
   const geometry::Pose towards{pose_.x_m, pose_.y_m, pose_.heading_rad + bearing_rad};
   surroundings_.on_touch(position(ahead(towards, away_m)), now);
@@ -67,12 +70,8 @@ Navigator::Output Navigator::update(Time now) {
   const Duration dt = last_update_ ? now - *last_update_ : Duration{0};
   last_update_ = now;
   const char* const halts = reason_to_halt(now);
-  const bool is_blind = halts != nullptr && !knows_pose(now) && is_busy(now);
-  blind_since_ = is_blind ? blind_since_.value_or(now) : std::optional<Time>();
-  if (halts != nullptr) {
-    const bool looks = may_look_around(now);
-    return stand(State::held, looks ? follower_.turn_by(look_radps, dt) : follower_.halt(), halts);
-  }
+  if (halts != nullptr) return stand(State::held, look_around(now, dt), halts);
+  look_around_.end();
   if (!goals_.present()) return stand(State::idle, follower_.brake(dt), "no_goal");
   if (is_link_lost(now) && params_.on_link_lost == OnLinkLost::go_home) return go_home(now, dt);
   const char* const reason = reason_to_hold(now);
@@ -84,11 +83,12 @@ Navigator::Output Navigator::update(Time now) {
   return drive({goals_.present_number(), goal.pose, goal.tolerance_m}, now, dt);
 }
 
-/// Now and then for a while, with a goal, when what is missing is the pose.
-bool Navigator::may_look_around(Time now) const {
-  if (!params_.look_around || emergency_stop_ || !blind_since_) return false;
-  const Duration phase = (now - *blind_since_) % (look_after + longest_look);
-  return phase > look_after;
+/// With a goal, when what is missing is the pose; stands otherwise.
+geometry::Twist Navigator::look_around(Time now, Duration dt) {
+  const bool is_blind = params_.look_around && !knows_pose(now) && is_busy(now);
+  if (!is_blind) look_around_.end();
+  if (!is_blind || emergency_stop_) return follower_.halt();
+  return follower_.move_at(look_around_.next(now), dt);
 }
 
 bool Navigator::is_busy(Time now) const {

@@ -28,7 +28,7 @@ void ObstacleInputs::on_pose(std::int64_t stamp_ns, const geometry::Pose& pose,
 
 void ObstacleInputs::take(Navigator& navigator, Time now) {
   if (const auto turn = scan_.take(velocity_)) {
-    if (const auto pose = poses_.at(turn->stamp_ns)) navigator.on_scan(turn->scan, *pose, now);
+    navigator.on_scan(turn->scan, poses_.at(turn->stamp_ns), now);
   }
   while (const auto event = bumper_.take()) {
     if (event->state() == 0 || event->bumper() >= bearings_rad.size()) continue;

@@ -26,13 +26,15 @@ struct ObstacleParams {
     v("obstacle_range_m", obstacle_range_m, {0.5, 10}, "[m] nearer hits become obstacles");
     v("map_gap_m", map_gap_m, {0, 1}, "[m] hits so near to a wall of the map are the wall");
     v("forget_after_s", forget_after_s, {1, 3600}, "[s] an obstacle lasts where no beam looks");
-    v("remember_touch_s", remember_touch_s, {0, 86400}, "[s] what was bumped into lasts");
+    v("remember_touch_s", remember_touch_s, {0, 86400},
+      "[s] what was bumped into and no beam meets lasts");
   }
 };
 
 /// Cells of a map in which a laser sees what the map has not. Marked by hits, cleared by sight
 /// (two turns in a row whose beams pass through), and by age where no beam looks. What was touched
-/// stays for its time, seen or not.
+/// where no beam meets anything, as a pane of glass or a sill, stays for its time though beams
+/// pass.
 ///
 /// Pure; `now` must not decrease. The same calls give the same cells in the same order.
 class ObstacleLayer {
@@ -66,6 +68,8 @@ class ObstacleLayer {
     int passed = 0;  ///< turns in a row whose beams have passed through
   };
   void mark(const geometry::Point& hit, Time now);
+  /// Whether a beam has met an obstacle there lately.
+  [[nodiscard]] bool sees_near(const geometry::Point& at, Time now) const;
   void clear(const geometry::Point& from, const Reach& reach, Time now);
   [[nodiscard]] CellIndex cell_at(std::size_t offset) const;
   void erase(std::map<std::size_t, Mark>::iterator at);

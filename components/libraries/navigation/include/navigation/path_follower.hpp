@@ -57,8 +57,8 @@ class PathFollower {
                                        double most_mps = infinity);
   /// Turns on the spot towards the heading `yaw_rad`.
   [[nodiscard]] geometry::Twist turn_to(const geometry::Pose& pose, double yaw_rad, Duration dt);
-  /// Turns on the spot at a rate, reached within the limits.
-  [[nodiscard]] geometry::Twist turn_by(double rate_radps, Duration dt);
+  /// Drives without a path, at a velocity that is reached within the limits.
+  [[nodiscard]] geometry::Twist move_at(const geometry::Twist& velocity, Duration dt);
   /// Brakes within the limits.
   [[nodiscard]] geometry::Twist brake(Duration dt);
   /// Backs up slowly and straight.

@@ -16,6 +16,7 @@
 #include "navigation/occupancy_map.hpp"
 #include "navigation/path_follower.hpp"
 #include "navigator/goal_list.hpp"
+#include "navigator/look_around.hpp"
 #include "navigator/surroundings.hpp"
 
 namespace tocsin {
@@ -59,7 +60,7 @@ class Navigator {
       v("replan_beside_m", replan_beside_m, {0.1, 5}, "[m] farther beside the path: plan again");
       v("slow_near_m", slow_near_m, {0, 2}, "[m] slower when nearer to an obstacle; 0: never");
       v("look_around", look_around,
-        "whether it turns on the spot when it does not know where it is, so that a localiser may");
+        "whether it turns, and drives where a laser sees the way free, to find out where it is");
       surroundings.visit(v);
       v("align_yaw", align_yaw, "whether to turn to the goal's heading after arriving");
       v("yaw_tolerance_rad", yaw_tolerance_rad, {0.02, 3}, "[rad] heading error that will do");
@@ -102,10 +103,8 @@ class Navigator {
   void set_map(const navigation::OccupancyMap& map) { surroundings_.set_map(map); }
   /// Pose of the vehicle in the map frame; one that is not finite is ignored.
   void on_pose(const geometry::Pose& pose, Time now);
-  /// A turn of the laser, measured by a vehicle at `pose` in the map frame.
-  void on_scan(const laser::Scan& scan, const geometry::Pose& pose, Time now) {
-    surroundings_.on_scan(scan, pose, now);
-  }
+  /// A turn of the laser, measured by a vehicle at `pose` in the map frame; empty: not known where.
+  void on_scan(const laser::Scan& scan, const std::optional<geometry::Pose>& pose, Time now);
   /// Something is in the way, or the floor ends, at so many metres from the vehicle's middle in a
   /// direction from ahead to the left.
   void on_touch(double bearing_rad, double away_m, Time now);
@@ -134,7 +133,7 @@ class Navigator {
   [[nodiscard]] bool stands_at_goal() const;
   [[nodiscard]] Status status(State state, double distance_m, const char* reason) const;
   Output stand(State state, const geometry::Twist& velocity, const char* reason);
-  [[nodiscard]] bool may_look_around(Time now) const;
+  [[nodiscard]] geometry::Twist look_around(Time now, Duration dt);
   [[nodiscard]] bool knows_pose(Time now) const;
   Output go_home(Time now, Duration dt);
   Output drive(const Target& target, Time now, Duration dt);
@@ -156,7 +155,7 @@ class Navigator {
 
   GoalList goals_;
   std::optional<geometry::Pose> home_;  // the first pose
-  std::optional<Time> blind_since_;     // with a goal and without a pose
+  LookAround look_around_;
   geometry::Pose pose_;
   Time pose_time_{};
   std::optional<Time> heard_;
