@@ -92,6 +92,12 @@ void LinkEvents::on(const link_event::PeerReaderMatched& event, Instant at) {
   each([&](LinkService& one) { one.on_remote_reader(*peer, event.flow, at.now); });
 }
 
+void LinkEvents::on(const link_event::PeerReaderGone& event, Instant at) {
+  const LinkPeer* const peer = peers_.find(event.peer);
+  if (peer == nullptr) return;
+  each([&](LinkService& one) { one.on_remote_reader_gone(*peer, event.flow, at.now); });
+}
+
 void LinkEvents::on(const link_event::LinkSample& event, Instant at) {
   const auto found = remote_.find(event.flow);
   if (found == remote_.end() || peers_.find(found->second.peer) == nullptr) return;

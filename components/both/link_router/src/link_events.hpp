@@ -35,6 +35,7 @@ class LinkEvents {
   void on(const link_event::PeerFlow& event, Instant at);
   void on(const link_event::PeerFlowGone& event, Instant at);
   void on(const link_event::PeerReaderMatched& event, Instant at);
+  void on(const link_event::PeerReaderGone& event, Instant at);
   void on(const link_event::LinkSample& event, Instant at);
 
   LinkBus& link_;

@@ -113,9 +113,13 @@ void LinkSender::offer(StreamId stream, const Sample& sample, Time now) {
   assert(found != streams_.end());
   const StreamRule& rule = found->second.rule;
   const WireCost cost = wire_cost(sample.bytes);
+  const Waiting waiting{stream, sample, cost, now, later(now, rule.lifespan)};
+  if (rule.on_demand && !is_wanted(stream)) {
+    if (rule.durable) (void)make_sent(waiting);  // for who begins to read
+    return;
+  }
   counters_.on_offered(stream, rule.traffic_class);
   adaptation_.on_offered(stream, cost, now);
-  const Waiting waiting{stream, sample, cost, now, later(now, rule.lifespan)};
   gate_.stops(rule.while_paused) ? hold(rule, waiting) : enqueue(rule, waiting);
 }
 

@@ -68,6 +68,8 @@ class LinkService {
   virtual void on_remote(const RemoteFlow&, const link_event::LinkSample&, Instant) {}
   /// A peer reads a flow of LinkBus::open.
   virtual void on_remote_reader(const LinkPeer&, FlowId, Time) {}
+  /// It does not any more; of topics on demand.
+  virtual void on_remote_reader_gone(const LinkPeer&, FlowId, Time) {}
 
   /// What a peer adds to its acknowledgements, and what this router adds to those for a peer.
   virtual void on_acknowledgement(const LinkPeer&, const AcknowledgementMessage&, Time) {}

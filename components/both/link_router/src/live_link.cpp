@@ -31,6 +31,7 @@ void LiveLink::on_peer(const LinkPeer& peer, Instant at) {
 void LiveLink::on_peer_gone(const LinkPeer& peer, Instant at) {
   if (!parts_.peers.is_present(peer)) return;
   parts_.sender.forget_peer(peer.name, at.now);
+  follow_demand();
   parts_.receiver.forget_peer(peer.name);
   parts_.log.warn("{} has left the link", peer.name);
 }
@@ -41,6 +42,7 @@ void LiveLink::on_local_flow(const LocalFlow& flow, Instant) {
 
 void LiveLink::on_local_flow_gone(const LocalFlow& flow, Instant) {
   if (flow.on_link) parts_.streams.remove(*flow.on_link);
+  taken_.erase(flow.on_host);
 }
 
 void LiveLink::on_local(const LocalFlow& flow, const CarriedSample& sample, bool is_live,
@@ -85,7 +87,25 @@ void LiveLink::deliver(const RemoteFlow& flow, const link_event::LinkSample& eve
 }
 
 void LiveLink::on_remote_reader(const LinkPeer& peer, FlowId flow, Time now) {
-  if (parts_.streams.has(flow)) parts_.sender.set_wanted(peer.name, flow, true, now);
+  if (!parts_.streams.has(flow)) return;
+  parts_.sender.set_wanted(peer.name, flow, true, now);
+  follow_demand();
+}
+
+void LiveLink::on_remote_reader_gone(const LinkPeer& peer, FlowId flow, Time now) {
+  if (!parts_.streams.has(flow)) return;
+  parts_.sender.set_wanted(peer.name, flow, false, now);
+  follow_demand();
+}
+
+void LiveLink::follow_demand() {
+  for (const auto& [id, flow] : parts_.local) {
+    if (!flow.on_link || !flow.rule.on_demand) continue;
+    const bool wanted = parts_.sender.is_wanted(*flow.on_link);
+    if (wanted == (taken_.count(id) != 0)) continue;
+    wanted ? (void)taken_.insert(id) : (void)taken_.erase(id);
+    parts_.link.want(id, wanted);
+  }
 }
 
 void LiveLink::on_acknowledgement(const LinkPeer& peer, const AcknowledgementMessage& message,

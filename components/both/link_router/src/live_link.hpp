@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <set>
 #include <string>
 
 #include "held_arrivals.hpp"
@@ -39,6 +40,7 @@ class LiveLink final : public LinkService {
   void on_remote_flow_gone(const RemoteFlow& flow) override;
   void on_remote(const RemoteFlow& flow, const link_event::LinkSample& event, Instant at) override;
   void on_remote_reader(const LinkPeer& peer, FlowId flow, Time now) override;
+  void on_remote_reader_gone(const LinkPeer& peer, FlowId flow, Time now) override;
   void on_acknowledgement(const LinkPeer& peer, const AcknowledgementMessage& message,
                           Time now) override;
   void follow(Instant at) override;
@@ -46,6 +48,8 @@ class LiveLink final : public LinkService {
   [[nodiscard]] Time deadline(Time now) const override;
 
  private:
+  /// Takes from the host what is wanted of topics on demand.
+  void follow_demand();
   void deliver(const RemoteFlow& flow, const link_event::LinkSample& event, Instant at);
 
   OptionalInput<topic::TransmissionState> state_;
@@ -55,6 +59,7 @@ class LiveLink final : public LinkService {
   router::GateKeeper keeper_;
   HeldArrivals held_;
   bool open_ = true;
+  std::set<FlowId> taken_;  ///< of the host's, on demand
 };
 
 }  // namespace tocsin

@@ -75,11 +75,12 @@ void ReportLink::report_traffic(Instant at) {
   for (const auto& entry : parts_.local) {
     const LocalFlow& flow = entry.second;
     if (!flow.on_link) continue;
+    const router::StreamCounts counts = parts_.sender.stream_counts(*flow.on_link);
+    if (flow.rule.on_demand && counts.offered == 0) continue;  // nobody has read it
     tocsin_msgs::msg::TopicTraffic one;
     one.topic(flow.what.topic);
     one.traffic_class(to_string(flow.rule.traffic_class));
     one.paused(paused && flow.rule.while_paused != router::WhilePaused::send);
-    const router::StreamCounts counts = parts_.sender.stream_counts(*flow.on_link);
     one.written(counts.offered);
     one.sent(counts.sent);
     one.dropped(counts.dropped);

@@ -71,6 +71,7 @@ router::StreamRule stream_rule(const Flow& flow, const TrafficRule& rule) {
   stream.repaired = policy_of(stream.traffic_class).repaired;
   stream.durable = flow.transient_local;
   stream.adaptive = rule.adaptive;
+  stream.on_demand = rule.on_demand;
   stream.stored = rule.stored || rule.logged || flow.stored;
   return stream;
 }

@@ -108,6 +108,25 @@ TEST_F(LinkRouterTest, AnAcknowledgementOfAPeersFormerInstanceIsIgnored) {
   EXPECT_GE(script_.sent_on(on_link), 2U) << "it was taken for the new instance's";
 }
 
+TEST_F(LinkRouterTest, SendsWhatIsOnDemandUntilThePeersReaderIsGone) {
+  meet();
+  const FlowId on_link = begin("scan");
+  write(1);
+  run(0.05);
+  EXPECT_EQ(script_.sent_on(on_link), 0U);
+  EXPECT_TRUE(script_.wanted.empty());
+  listen(on_link);
+  EXPECT_EQ(script_.wanted, std::set<FlowId>{host_flow});
+  write(2);
+  run(0.05);
+  EXPECT_EQ(script_.sent_on(on_link), 1U);
+  script_.happen(link_event::PeerReaderGone{on_link, station});
+  write(3);
+  run(0.05);
+  EXPECT_EQ(script_.sent_on(on_link), 1U);
+  EXPECT_TRUE(script_.wanted.empty());
+}
+
 TEST_F(LinkRouterTest, WhileTheStateOfItsRoleIsPassiveClassLowIsSilent) {
   const FlowId low = begin("battery_state");
   const FlowId critical = begin("heartbeat", host_flow + 1);

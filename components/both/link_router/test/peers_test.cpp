@@ -31,6 +31,42 @@ TEST(Peers, ALatePeerGetsTheNewestOfADurableStream) {
   EXPECT_EQ(link.counts(TrafficClass::critical).unwanted, 6U);
 }
 
+TEST(Peers, WhatIsOnDemandIsSentWhileSomebodyWantsIt) {
+  LinkPair link;
+  StreamRule on_demand = rule_of(TrafficClass::low);
+  on_demand.on_demand = true;
+  link.add(1, on_demand);
+  link.sender.set_wanted("station", 1, false, link.now);
+  link.offer(1, 1);
+  link.run(50 * ms);
+  EXPECT_TRUE(link.sent.empty());
+  EXPECT_EQ(link.counts(TrafficClass::low).offered, 0U) << "not counted as lost either";
+  link.sender.set_wanted("station", 1, true, link.now);
+  link.offer(1, 2);
+  link.run(50 * ms);
+  EXPECT_EQ(link.delivered[1], (Sequences{2}));
+  link.sender.set_wanted("station", 1, false, link.now);
+  link.offer(1, 3);
+  link.run(50 * ms);
+  EXPECT_EQ(link.delivered[1], (Sequences{2}));
+}
+
+TEST(Peers, OnDemandALatePeerGetsTheNewestOfADurableStreamToo) {
+  LinkPair link;
+  StreamRule durable = rule_of(TrafficClass::low);
+  durable.durable = true;
+  durable.on_demand = true;
+  link.add(1, durable);
+  link.sender.set_wanted("station", 1, false, link.now);
+  link.offer(1, 1);
+  link.offer(1, 2);
+  link.run(10000 * ms);
+  EXPECT_TRUE(link.sent.empty());
+  link.sender.set_wanted("station", 1, true, link.now);
+  link.run(50 * ms);
+  EXPECT_EQ(link.delivered[1], (Sequences{2}));
+}
+
 TEST(Peers, ARestartedPeerGetsTheStateAgain) {
   LinkPair link;
   StreamRule durable = rule_of(TrafficClass::critical);

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -58,6 +59,7 @@ class ScriptedLink {
   std::vector<Sent> sent;
   std::vector<Delivered> delivered;
   std::vector<FlowId> offered;
+  std::set<FlowId> wanted;              ///< of the host, on demand
   std::map<FlowId, Flow> offered_here;  ///< flows that are no peer's
   std::vector<bool> gate;               ///< each time that it changed: open
   bool is_up = true;
@@ -80,6 +82,9 @@ class ScriptedLinkBus final : public LinkBus {
     return event;
   }
   [[nodiscard]] PeerId self() const override { return ScriptedLink::own_instance; }
+  void want(FlowId host_flow, bool wanted) override {
+    wanted ? (void)script_.wanted.insert(host_flow) : (void)script_.wanted.erase(host_flow);
+  }
   FlowId open(const Flow& flow, TrafficClass traffic_class) override {
     script_.opened[++last_] = {flow, traffic_class};
     return last_;

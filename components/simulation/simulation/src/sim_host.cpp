@@ -78,8 +78,7 @@ void SimHost::set_router(SimLinkBus* router) {
     for (const SimProcess::Topic* topic : all.processes) {
       if (!topic->writes) continue;
       router->on_writer(*topic);
-      const auto kept = all.last.find(topic->source);
-      if (kept != all.last.end()) router->on_written(*topic, kept->second);
+      if (const Sample* const last = last_of(*topic)) router->on_written(*topic, *last);
     }
   }
 }
@@ -117,8 +116,18 @@ void SimHost::deliver_carried(const Flow& flow, const CarriedSample& carried,
 
 bool SimHost::has_readers(const SimProcess::Topic& topic) {
   const auto& all = topic.on_host->processes;
-  return std::any_of(all.begin(), all.end(),
-                     [](const auto* one) { return !one->receivers.empty(); });
+  return std::any_of(all.begin(), all.end(), [](const auto* one) { return one->reads(); });
+}
+
+const Sample* SimHost::last_of(const SimProcess::Topic& topic) {
+  const auto kept = topic.on_host->last.find(topic.source);
+  return kept == topic.on_host->last.end() ? nullptr : &kept->second;
+}
+
+bool SimHost::reads(const std::string& topic) const {
+  const auto found = topics_.find(topic);
+  return found != topics_.end() && !found->second.processes.empty() &&
+         has_readers(*found->second.processes.front());
 }
 
 void SimHost::deliver(const SimProcess::Topic& from, const Sample& sample) {

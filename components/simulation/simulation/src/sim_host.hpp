@@ -96,6 +96,8 @@ class SimProcess final : public Bus, private LinkAccess {
   };
   Status write(Topic& topic, const std::shared_ptr<const void>& message);
   [[nodiscard]] std::optional<WriterInfo> writer(const Topic& topic, std::uint64_t source) const;
+  /// A component reads the topic, or does not any more.
+  void tell_router(const Topic& topic) const;
   /// All that it had is lost, and nobody hears of it any more. Its components are gone before.
   void die();
 
@@ -154,6 +156,9 @@ class SimHost {
   static void deliver(const SimProcess::Topic& from, const Sample& sample);
   /// Whether a component of this host reads it.
   [[nodiscard]] static bool has_readers(const SimProcess::Topic& topic);
+  [[nodiscard]] bool reads(const std::string& topic) const;
+  /// The last sample of a writer of states; null: it has none.
+  [[nodiscard]] static const Sample* last_of(const SimProcess::Topic& topic);
 
  private:
   Network& network_;

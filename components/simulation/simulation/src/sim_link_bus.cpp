@@ -143,6 +143,7 @@ void SimLinkBus::forget(PeerId peer) {
       continue;
     }
     known_.erase(it->second);
+    read_.erase(it->first);
     push(link_event::PeerFlowGone{it->second});
     it = peer_flows_.erase(it);
   }
@@ -158,7 +159,39 @@ void SimLinkBus::learn(SimLinkBus& peer, FlowId flow) {
   peer_flows_[{peer.life_, flow}] = id;
   known_[id] = found->second.flow;
   push(link_event::PeerFlow{id, peer.life_, flow, found->second.flow});
-  peer.push(link_event::PeerReaderMatched{flow, life_});
+  tell_reading(peer.life_, flow, topic);
+}
+
+void SimLinkBus::tell_reading(PeerId peer, FlowId flow, const std::string& topic) {
+  SimLinkBus* const other = network_.find_router(peer);
+  const bool reads = !rules().takes_on_demand(topic) || host_.reads(topic);
+  const bool did_read = read_.count({peer, flow}) != 0;
+  if (other == nullptr || reads == did_read) return;
+  if (reads) {
+    read_.insert({peer, flow});
+    other->push(link_event::PeerReaderMatched{flow, life_});
+  } else {
+    read_.erase({peer, flow});
+    other->push(link_event::PeerReaderGone{flow, life_});
+  }
+}
+
+void SimLinkBus::on_readers(const std::string& topic) {
+  if (!rules().takes_on_demand(topic)) return;
+  for (const auto& [from, id] : peer_flows_) {
+    if (known_.at(id).topic == topic) tell_reading(from.first, from.second, topic);
+  }
+}
+
+void SimLinkBus::want(FlowId host_flow, bool wanted) {
+  const auto found = std::find_if(host_flows_.begin(), host_flows_.end(),
+                                  [&](const auto& entry) { return entry.second.id == host_flow; });
+  if (found == host_flows_.end()) return;
+  if (!wanted) return (void)idle_.insert(host_flow);
+  idle_.erase(host_flow);
+  for (const SimProcess::Topic* writer : found->second.writers) {
+    if (const Sample* const last = SimHost::last_of(*writer)) on_written(*writer, *last);
+  }
 }
 
 FlowId SimLinkBus::open(const Flow& flow, TrafficClass traffic_class) {
@@ -183,6 +216,7 @@ void SimLinkBus::close(FlowId flow) {
     const auto found = other->peer_flows_.find({life_, flow});
     if (found == other->peer_flows_.end()) continue;
     other->known_.erase(found->second);
+    other->read_.erase(found->first);
     other->push(link_event::PeerFlowGone{found->second});
     other->peer_flows_.erase(found);
   }
@@ -267,7 +301,10 @@ void SimLinkBus::on_writer(const SimProcess::Topic& topic) {
   if (host_.rules().find(flow.topic) == nullptr) return;
   HostFlow& known = host_flows_[key_of(flow)];
   known.writers.push_back(&topic);
-  if (known.writers.size() == 1) known.id = ++last_flow_;
+  if (known.writers.size() == 1) {
+    known.id = ++last_flow_;
+    if (rules().waits_for_demand(flow.topic)) idle_.insert(known.id);
+  }
   flow_by_writer_[&topic] = known.id;
   if (known.writers.size() > 1) return;
   push(link_event::HostFlow{known.id, flow});
@@ -281,12 +318,13 @@ void SimLinkBus::on_writer_gone(const SimProcess::Topic& topic) {
   flow_by_writer_.erase(&topic);
   if (!writers.empty()) return;
   push(link_event::HostFlowGone{found->second.id});
+  idle_.erase(found->second.id);
   host_flows_.erase(found);
 }
 
 void SimLinkBus::on_written(const SimProcess::Topic& topic, const Sample& sample) {
   const auto found = flow_by_writer_.find(&topic);
-  if (found == flow_by_writer_.end()) return;
+  if (found == flow_by_writer_.end() || idle_.count(found->second) != 0) return;
   CarriedSample carried;
   carried.bytes =
       static_cast<std::uint32_t>(topic.endpoint.type->serialized_size(sample.message.get()));

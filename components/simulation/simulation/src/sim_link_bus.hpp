@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,6 +38,7 @@ class SimLinkBus final : public LinkBus {
 
   [[nodiscard]] std::optional<LinkEvent> take() override;
   [[nodiscard]] PeerId self() const override { return life_; }
+  void want(FlowId host_flow, bool wanted) override;
   FlowId open(const Flow& flow, TrafficClass traffic_class) override;
   [[nodiscard]] std::uint32_t wire_id(FlowId flow) const override { return flow; }
   void close(FlowId flow) override;
@@ -62,6 +64,8 @@ class SimLinkBus final : public LinkBus {
   void on_writer(const SimProcess::Topic& topic);
   void on_writer_gone(const SimProcess::Topic& topic);
   void on_written(const SimProcess::Topic& topic, const Sample& sample);
+  /// A component of this host has begun or ended to read: what crosses on demand may follow.
+  void on_readers(const std::string& topic);
   /// A transmission of that life of a peer has come.
   void on_arrived(PeerId peer, FlowId flow, std::uint64_t number, const CarriedSample& sample);
   /// A packet of that life of a peer has come; null: nothing rode in it.
@@ -87,6 +91,8 @@ class SimLinkBus final : public LinkBus {
   void meet(SimLinkBus& peer);
   void learn(SimLinkBus& peer, FlowId flow);
   void learn_all(SimLinkBus& peer);
+  /// Tells a peer that this host reads its flow, or, of a topic on demand, that it does not.
+  void tell_reading(PeerId peer, FlowId flow, const std::string& topic);
   void announce();
   void forget(PeerId peer);
   [[nodiscard]] static Flow flow_of(const SimProcess::Topic& topic);
@@ -101,8 +107,10 @@ class SimLinkBus final : public LinkBus {
   std::map<FlowId, Sending> sending_;
   std::map<std::string, HostFlow> host_flows_;                 ///< by topic and user data
   std::map<const SimProcess::Topic*, FlowId> flow_by_writer_;  ///< of host_flows_, looked up only
-  std::map<std::string, PeerId> peers_;                        ///< by the name of the host
-  std::map<std::pair<PeerId, FlowId>, FlowId> peer_flows_;     ///< by the peer's number
+  std::set<FlowId> idle_;                                   ///< of them, on demand and not wanted
+  std::map<std::string, PeerId> peers_;                     ///< by the name of the host
+  std::map<std::pair<PeerId, FlowId>, FlowId> peer_flows_;  ///< by the peer's number
+  std::set<std::pair<PeerId, FlowId>> read_;                ///< of them, what the peer was told
   std::map<FlowId, Flow> known_;  ///< flows of peers, and those of offer()
   LinkPackets packets_;
   std::shared_ptr<const StopValue> stop_;  ///< as it was said last

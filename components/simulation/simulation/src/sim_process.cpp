@@ -17,8 +17,12 @@ class Attached final : public Subscription {
   Attached(const SimProcess& process, SimProcess::Topic& topic, Receiver& receiver)
       : process_(process), topic_(topic), receiver_(receiver) {
     topic_.attach(receiver_);
+    process_.tell_router(topic_);
   }
-  ~Attached() override { topic_.detach(receiver_); }
+  ~Attached() override {
+    topic_.detach(receiver_);
+    process_.tell_router(topic_);
+  }
   [[nodiscard]] std::optional<WriterInfo> writer(std::uint64_t source) const override {
     return process_.writer(topic_, source);
   }
@@ -105,6 +109,10 @@ std::unique_ptr<Subscription> SimProcess::subscribe(const Endpoint& endpoint, Re
   return std::make_unique<Attached>(*this, its, receiver);
 }
 
+void SimProcess::tell_router(const Topic& its) const {
+  if (SimLinkBus* const router = host_.router()) router->on_readers(its.endpoint.topic.name);
+}
+
 std::unique_ptr<Publication> SimProcess::advertise(const Endpoint& endpoint) {
   Topic& its = topic(endpoint);
   if (*endpoint.user_data != 0) its.end.user_data = endpoint.user_data;
@@ -125,7 +133,7 @@ std::unique_ptr<ClientEnd> SimProcess::call(const ServiceEndpoint& endpoint,
 
 void SimProcess::begin_to_write(Topic& its) {
   const TrafficRule* const rule = host_.rules().find(its.endpoint.topic.name);
-  if (rule != nullptr && rule->live) {
+  if (rule != nullptr && rule->live && !rule->on_demand) {
     its.end.traffic_class = rule->traffic_class;
     its.end.pausable = rule->while_poor != WhilePoor::send;
     its.end.drops = rule->while_poor == WhilePoor::drop;

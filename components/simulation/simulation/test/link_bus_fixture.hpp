@@ -96,6 +96,7 @@ class PlainRouter {
     const auto state = states_.find(one.flow);
     if (state != states_.end() && state->second.content) (void)bus.send(one.flow, state->second);
   }
+  void on(const link_event::PeerReaderGone&) {}
   void on(const link_event::PeerFlow& flow) { bus.offer(flow.flow); }
   void on(const link_event::LinkSample& one) { bus.deliver(one.flow, one.sample); }
   std::map<FlowId, CarriedSample> states_;

@@ -18,6 +18,7 @@ using link_event::PeerFlow;
 using link_event::PeerFlowGone;
 using link_event::PeerFound;
 using link_event::PeerLost;
+using link_event::PeerReaderGone;
 using link_event::PeerReaderMatched;
 
 TEST_F(LinkBusTest, RoutersFindEachOtherATenthOfASecondAfterTheLaterOneIsMade) {
@@ -87,6 +88,63 @@ TEST_F(LinkBusTest, ThePeersReaderMatchesATenthOfASecondAfterAFlowIsOpened) {
   ASSERT_EQ(up().count<PeerReaderMatched>(), 1U);
   EXPECT_EQ(up().got<PeerReaderMatched>()[0].flow, up().opened.begin()->second);
   EXPECT_EQ(up().got<PeerReaderMatched>()[0].peer, down().bus.self());
+}
+
+TEST_F(LinkBusTest, OfAFlowOnDemandThePeersReaderMatchesWhileAComponentThereReads) {
+  connect();
+  const auto writer = drive_.advertise(endpoint<topic::Scan>());
+  run_for(1);
+  EXPECT_EQ(down().count<PeerFlow>(), 1U);
+  EXPECT_EQ(up().count<PeerReaderMatched>(), 0U);
+  Reader reader;
+  auto subscription = view_.subscribe(endpoint<topic::Scan>(), reader);
+  run_for(0.1);
+  EXPECT_EQ(up().count<PeerReaderMatched>(), 1U);
+  Reader other;
+  const auto second = view_.subscribe(endpoint<topic::Scan>(), other);
+  subscription.reset();
+  run_for(0.1);
+  EXPECT_EQ(up().count<PeerReaderMatched>(), 1U);
+  EXPECT_EQ(up().count<PeerReaderGone>(), 0U) << "the other still reads";
+}
+
+TEST_F(LinkBusTest, SamplesOnDemandReachTheRouterWhileItWantsThem) {
+  connect();
+  const auto writer = drive_.advertise(endpoint<topic::Scan>());
+  const auto write = [&] {
+    EXPECT_EQ(writer->write(message<topic::Scan>()), Status::ok);
+    run_for(0.1);
+    return up().numbers.size();
+  };
+  EXPECT_EQ(write(), 0U);
+  const FlowId flow = up().got<HostFlow>()[0].flow;
+  up().bus.want(flow, true);
+  EXPECT_EQ(write(), 1U);
+  up().bus.want(flow, false);
+  EXPECT_EQ(write(), 1U);
+}
+
+TEST_F(LinkBusTest, AStateOnDemandReachesTheRouterWhenItIsWanted) {
+  connect();
+  write<topic::TfStatic>(drive_);
+  run_for(0.1);
+  EXPECT_TRUE(up().numbers.empty());
+  up().bus.want(up().got<HostFlow>()[0].flow, true);
+  run_for(0.1);
+  EXPECT_EQ(up().numbers.size(), 1U);
+}
+
+TEST_F(LinkBusTest, OfAFlowOnDemandThePeersReaderGoesWithTheLastComponentThatReads) {
+  connect();
+  const auto writer = drive_.advertise(endpoint<topic::Scan>());
+  Reader reader;
+  auto subscription = view_.subscribe(endpoint<topic::Scan>(), reader);
+  run_for(1);
+  ASSERT_EQ(up().count<PeerReaderMatched>(), 1U) << "it was there first";
+  subscription.reset();
+  run_for(0.1);
+  ASSERT_EQ(up().count<PeerReaderGone>(), 1U);
+  EXPECT_EQ(up().got<PeerReaderGone>()[0].peer, down().bus.self());
 }
 
 TEST_F(LinkBusTest, AFlowThatIsClosedBeforeThePeerHearsOfItIsUnknownToIt) {

@@ -4,7 +4,7 @@ import type { IWebSocket } from "@foxglove/ws-protocol";
 
 import type { Point } from "./model/geometry.ts";
 import { type Row, type Tables, historyOf, rowsOf } from "./model/history.ts";
-import { type OccupancyGrid, type Topic, type Topics, isTopicRead, topicsRead } from "./model/messages.ts";
+import { type OccupancyGrid, type Topic, type Topics, isTopicRead, scanTopics, topicsRead } from "./model/messages.ts";
 import { Station } from "./model/station.ts";
 import { ManualDriving } from "./operator/driving.ts";
 import { OperatorMission } from "./operator/mission.ts";
@@ -41,6 +41,7 @@ export class Operator {
   constructor(url: string, page: string) {
     this.#files = new StationFiles(page);
     this.connection = this.#connectionTo(url);
+    for (const topic of scanTopics) this.connection.want(topic, false);
     const isReplaying = (): boolean => this.recordings.player !== undefined;
     this.driving = new ManualDriving(`page_${random64().toString(36).slice(0, 4)}`, this.live, this.connection, isReplaying);
     this.recordings = new Recordings(this.#files, this.connection, (text) => this.#say("error", "recording", text));

@@ -59,9 +59,13 @@ class LinkSender {
   /// changes nothing.
   void on_peer(const std::string& peer, InstanceId instance, Time now);
   void forget_peer(const std::string& peer, Time now);
-  /// Whether the peer reads the stream. What nobody wants is put on the wire and not repaired. To
-  /// one that begins to, the newest samples of a durable stream are sent.
+  /// Whether the peer reads the stream. What nobody wants is put on the wire and not repaired, or,
+  /// on demand, not sent at all. To one that begins to, the newest samples of a durable stream are
+  /// sent.
   void set_wanted(const std::string& peer, StreamId stream, bool wanted, Time now);
+
+  /// Whether any peer reads it.
+  [[nodiscard]] bool is_wanted(StreamId stream) const { return !paths_.readers_of(stream).empty(); }
 
   /// A sample of the host for a stream that was added.
   void offer(StreamId stream, const Sample& sample, Time now);

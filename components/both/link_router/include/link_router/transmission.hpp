@@ -58,10 +58,11 @@ struct StreamRule {
   WhilePaused while_paused = WhilePaused::send;
   std::size_t depth = 1;  ///< newest samples of each source that are kept (KEEP_LAST); at least 1
   Duration lifespan = Duration::max();  ///< an older sample is neither sent nor delivered
-  bool repaired = false;  ///< what is missing is sent again; default: ClassPolicy::repaired
-  bool durable = false;   ///< the newest sample of each source is sent to peers that come later
-  bool adaptive = false;  ///< its source follows the budget
-  bool stored = false;    ///< the fate of each sample is reported, so that the lost ones follow
+  bool repaired = false;   ///< what is missing is sent again; default: ClassPolicy::repaired
+  bool durable = false;    ///< the newest sample of each source is sent to peers that come later
+  bool adaptive = false;   ///< its source follows the budget
+  bool on_demand = false;  ///< what no peer wants is not sent
+  bool stored = false;     ///< the fate of each sample is reported, so that the lost ones follow
 };
 
 /// What became of a sample on the link; one that was given up may be delivered all the same.

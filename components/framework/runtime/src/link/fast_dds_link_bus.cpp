@@ -106,7 +106,11 @@ void FastDdsLinkBus::join_link() {
 
 void FastDdsLinkBus::connect(FlowId id, Sending& sending) {
   const std::string topic = table_.names().on_wire(sending.flow.topic);
-  const auto on_reader = [this, id](const auto& peer) { table_.on_peer_listens(peer, id); };
+  const TrafficRule* const rule = rules_.find(sending.flow.topic);
+  const auto on_reader = [this, id, on_demand = rule != nullptr && rule->on_demand](
+                             const auto& peer, bool there) {
+    if (there || on_demand) table_.on_peer_listens(peer, id, there);
+  };
   try {
     sending.writer = std::make_unique<FlowWriter>(*link_, topic, sending.flow.type,
                                                   offered_on_link(sending.flow), on_reader);
@@ -123,22 +127,26 @@ std::optional<LinkEvent> FastDdsLinkBus::take() {
   }
   auto event = table_.pop();
   if (!event) {
+    follow_demand();
     hear_the_muted();
     for (const auto& former : table_.take_superseded()) link_->supersede(former);
     graph_.follow(nodes_);
     return event;
   }
-  if (const auto* host = std::get_if<link_event::HostFlow>(&*event)) {
+  const auto* host = std::get_if<link_event::HostFlow>(&*event);
+  if (host != nullptr && !rules_.waits_for_demand(host->what.topic)) {
     listen_on_host(host->flow, host->what);
   }
   if (const auto* gone = std::get_if<link_event::HostFlowGone>(&*event)) {
     host_readers_.remove(gone->flow);
   }
-  if (const auto* peer = std::get_if<link_event::PeerFlow>(&*event)) {
+  const auto* peer = std::get_if<link_event::PeerFlow>(&*event);
+  if (peer != nullptr && !rules_.takes_on_demand(peer->what.topic)) {
     listen_on_link(peer->flow, peer->what);
   }
   if (const auto* gone = std::get_if<link_event::PeerFlowGone>(&*event)) {
     giving_.erase(gone->flow);
+    demand_.forget(gone->flow);
     link_readers_.remove(gone->flow);
   }
   return event;
@@ -162,6 +170,14 @@ void FastDdsLinkBus::listen_on_link(FlowId id, const Flow& flow, bool anew) {
     anew ? link_readers_.renew(id) : link_readers_.add(id, key);
   } catch (const EnvironmentError& error) {
     log_refusal("receive", key.topic, error);
+  }
+}
+
+void FastDdsLinkBus::follow_demand() {
+  for (const auto& [id, is_read] : demand_.take_changed()) {
+    if (!is_read) link_readers_.drop(id);
+    const auto flow = is_read ? table_.find(id) : std::nullopt;
+    if (flow) listen_on_link(id, *flow);
   }
 }
 
@@ -205,6 +221,12 @@ void FastDdsLinkBus::on_link_sample(TakenSample&& taken) {
                                      steady_now() - taken.waited});
 }
 
+void FastDdsLinkBus::want(FlowId host_flow, bool wanted) {
+  if (!wanted) return host_readers_.drop(host_flow);
+  const auto flow = table_.find(host_flow);
+  if (flow) listen_on_host(host_flow, *flow);
+}
+
 FlowId FastDdsLinkBus::open(const Flow& flow, TrafficClass traffic_class) {
   const FlowId id = table_.fresh_id();
   Sending& sending = sending_[id];
@@ -241,8 +263,11 @@ void FastDdsLinkBus::say_stop(const StopValue& value) {
 
 void FastDdsLinkBus::offer(FlowId id, const Flow& flow) {
   const std::string topic = table_.names().on_wire(flow.topic);
-  const auto on_reader = [this, id](const auto& reader) {
-    if (reader != host_.prefix()) table_.push(link_event::HostReaderMatched{id});
+  const auto on_reader = [this, id, on_demand = rules_.takes_on_demand(flow.topic)](
+                             const auto& reader, bool there) {
+    if (reader == host_.prefix()) return;
+    if (on_demand) demand_.count(id, there);
+    there ? table_.push(link_event::HostReaderMatched{id}) : table_.wake();
   };
   try {
     auto& writer = giving_[id];

@@ -10,6 +10,7 @@
 #include "fast_dds/graph_writer.hpp"
 #include "foundation/error.hpp"
 #include "graph/ros_graph.hpp"
+#include "link/demand.hpp"
 #include "link/fast_dds_host_services.hpp"
 #include "link/flow_ends.hpp"
 #include "link/flow_readers.hpp"
@@ -36,6 +37,7 @@ class FastDdsLinkBus final : public LinkBus {
   [[nodiscard]] PeerId self() const override {
     return link_ ? FlowTable::peer_of(link_->prefix()) : 0;
   }
+  void want(FlowId host_flow, bool wanted) override;
   FlowId open(const Flow& flow, TrafficClass traffic_class) override;
   [[nodiscard]] std::uint32_t wire_id(FlowId flow) const override;
   void close(FlowId flow) override;
@@ -78,6 +80,8 @@ class FastDdsLinkBus final : public LinkBus {
   void listen_on_host(FlowId id, const Flow& flow);
   /// `anew`: by another reader than before.
   void listen_on_link(FlowId id, const Flow& flow, bool anew = false);
+  /// Begins and ends to receive what crosses on demand.
+  void follow_demand();
   /// Makes readers anew that are muted by a forged number.
   void hear_the_muted();
   [[nodiscard]] bool has_outlived_its_lifespan(const TakenSample& taken, FlowId id) const;
@@ -89,6 +93,7 @@ class FastDdsLinkBus final : public LinkBus {
   const TrafficRules rules_;
   FlowTable table_;
   ServiceTable service_table_;
+  Demand demand_;
   const std::shared_ptr<RadioMarks> marks_ = std::make_shared<RadioMarks>();
   const std::shared_ptr<StopChannel> stop_;
   std::atomic<bool> interface_is_up_{false};

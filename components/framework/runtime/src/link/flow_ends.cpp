@@ -103,7 +103,7 @@ rtps::EntityId_t FlowWriter::entity() const { return writer_->guid().entityId; }
 
 void FlowWriter::on_publication_matched(Writer*, const dds::PublicationMatchedStatus& status) {
   const auto reader = rtps::iHandle2GUID(status.last_subscription_handle);
-  if (status.current_count_change > 0) on_reader_(reader.guidPrefix);
+  on_reader_(reader.guidPrefix, status.current_count_change > 0);
 }
 
 }  // namespace tocsin

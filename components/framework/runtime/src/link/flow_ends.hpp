@@ -59,10 +59,10 @@ class FlowReader : private eprosima::fastdds::dds::DataReaderListener {
 };
 
 /// Writes a topic of any type on behalf of others. `on_reader` is called by threads of Fast DDS
-/// with each participant that begins to read.
+/// with the participant of each reader that is matched, and of each that is not any more (false).
 class FlowWriter : private eprosima::fastdds::dds::DataWriterListener {
  public:
-  using OnReader = std::function<void(const eprosima::fastrtps::rtps::GuidPrefix_t&)>;
+  using OnReader = std::function<void(const eprosima::fastrtps::rtps::GuidPrefix_t&, bool there)>;
   /// Throws EnvironmentError when Fast DDS cannot make it.
   FlowWriter(FastDdsParticipant& participant, const std::string& topic, const std::string& type,
              const QosProfile& qos, OnReader on_reader);

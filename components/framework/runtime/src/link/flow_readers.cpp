@@ -33,6 +33,14 @@ void FlowReaders::remove(FlowId flow) {
   idle_.pop_front();
 }
 
+void FlowReaders::drop(FlowId flow) {
+  const auto found = by_flow_.find(flow);
+  if (found == by_flow_.end()) return;
+  const ReaderKey key = found->second;
+  by_flow_.erase(found);
+  if (--readers_.at(key).flows == 0) readers_.erase(key);
+}
+
 void FlowReaders::renew(FlowId flow) {
   const auto found = by_flow_.find(flow);
   if (found == by_flow_.end()) return;

@@ -24,6 +24,8 @@ class FlowReaders {
   /// May throw what `make` throws; then the flow has none. Again changes nothing.
   void add(FlowId flow, const ReaderKey& key);
   void remove(FlowId flow);
+  /// The same, and its reader goes at once when it is no other flow's.
+  void drop(FlowId flow);
   /// Makes its reader anew; throws what `make` throws, and then it has the one before.
   void renew(FlowId flow);
   [[nodiscard]] std::size_t size() const { return readers_.size(); }

@@ -188,12 +188,17 @@ void FlowTable::on_peer(const Participant& participant, const std::string& name,
   on_event_();
 }
 
-void FlowTable::on_peer_listens(const Participant& participant, FlowId flow) {
+void FlowTable::on_peer_listens(const Participant& participant, FlowId flow, bool there) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     const PeerId peer = peer_of(participant);
-    listens_[peer].insert(flow);
-    events_.push_back(link_event::PeerReaderMatched{flow, peer});
+    if (there) {
+      listens_[peer].insert(flow);
+      events_.push_back(link_event::PeerReaderMatched{flow, peer});
+    } else {
+      listens_[peer].erase(flow);
+      events_.push_back(link_event::PeerReaderGone{flow, peer});
+    }
   }
   on_event_();
 }

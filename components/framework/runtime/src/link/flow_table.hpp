@@ -43,8 +43,8 @@ class FlowTable {
   /// Of the instances of a peer one counts: see PeerInstances. A flow of another one is reported
   /// without its peer, so that its samples are received, and again when it counts.
   void on_peer(const Participant& participant, const std::string& name, bool there, Time now);
-  /// A peer has begun to read what is sent on a flow of ours.
-  void on_peer_listens(const Participant& participant, FlowId flow);
+  /// A peer has begun, or ended, to read what is sent on a flow of ours.
+  void on_peer_listens(const Participant& participant, FlowId flow, bool there);
   /// A sample of a writer on the link was received. Whether its instance of the peer counts.
   [[nodiscard]] bool on_received(const Guid& writer, Time now);
   /// Samples that come when 4096 events wait are lost.

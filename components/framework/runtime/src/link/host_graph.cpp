@@ -49,8 +49,8 @@ class Writing final : public RawWriting {
   Writing(FastDdsParticipant& participant, const RawTopic& topic, const QosProfile& profile)
       : profile_(profile),
         writer_(participant, topic.name, topic.type, profile_,
-                [this, &participant](const auto& reader) {
-                  if (reader != participant.prefix()) ++readers_;
+                [this, &participant](const auto& reader, bool there) {
+                  if (there && reader != participant.prefix()) ++readers_;
                 }) {}
 
   bool write(const std::vector<std::uint8_t>& bytes) override {

@@ -11,6 +11,7 @@ struct ClassEntry {
   std::string while_poor = "send";
   std::vector<std::string> topics;
   std::vector<std::string> adaptive;
+  std::vector<std::string> on_demand;
   std::vector<std::string> store;
   std::vector<std::string> log;
   std::vector<std::string> keep;
@@ -26,6 +27,8 @@ struct ClassEntry {
       "what the gate does with new samples");
     v("topics", topics, "ROS names of the topics of this class, or patterns with * and ?");
     v("adaptive", adaptive, "those of them whose writers follow the link's budget");
+    v("on_demand", on_demand,
+      "those of them that cross while somebody on the other side reads them, and not otherwise");
     v("store", store, "those of them of which nothing is lost: a log keeps what does not cross");
     v("log", log,
       "topics of this class, or of none, that a log keeps: what did not cross does when asked for");

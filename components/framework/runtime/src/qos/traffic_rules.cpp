@@ -33,7 +33,8 @@ void refuse_unknown_maps(const YAML::Node& file, const YamlSources& sources) {
   }
 }
 
-/// A topic that its class calls adaptive or stored, and no class of the role has, is misspelt.
+/// A topic that its class calls adaptive, on demand or stored, and no class of the role has, is
+/// misspelt.
 void refuse_unknown_topics(const YAML::Node& classes, const std::string& role,
                            const NameRules<TrafficRule>& rules, const YamlSources& sources) {
   std::vector<std::string> known;
@@ -41,7 +42,7 @@ void refuse_unknown_topics(const YAML::Node& classes, const std::string& role,
   for (const auto& rule : rules.patterns()) known.push_back(rule.first);
   for (const auto& entry : classes) {
     if (!entry.second.IsMap()) continue;
-    for (const char* const list : {"adaptive", "store"}) {
+    for (const char* const list : {"adaptive", "on_demand", "store"}) {
       for (const YAML::Node& topic : entry.second[list]) {
         if (std::count(known.begin(), known.end(), topic.Scalar()) != 0) continue;
         throw ConfigError(role + "." + entry.first.Scalar() + "." + list + ": " + topic.Scalar() +
@@ -68,6 +69,7 @@ TrafficRule rule_of(const std::string& topic, TrafficClass traffic_class, const 
   rule.traffic_class = traffic_class;
   rule.while_poor = to_while_poor(entry.while_poor);
   rule.adaptive = names(entry.adaptive, topic);
+  rule.on_demand = names(entry.on_demand, topic);
   rule.stored = entry.while_poor == "store" || names(entry.store, topic);
   rule.logged = names(entry.log, topic);
   rule.max_rate_hz = entry.max_rate_hz;
@@ -92,7 +94,12 @@ std::vector<std::string> names_in(const YAML::Node& list, const std::string& rol
 /// Of its topics, and of those of its actions.
 void add_topics(const NamedClass& from, NameRules<TrafficRule>& rules) {
   for (const std::string& topic : from.entry.topics) {
-    from.add(rules, "topics", topic, rule_of(topic, from.traffic_class, from.entry));
+    const TrafficRule rule = rule_of(topic, from.traffic_class, from.entry);
+    if (rule.on_demand && rule.stored) {
+      throw ConfigError(from.key + ".on_demand: " + topic +
+                        " is stored, so that all of it crosses anyway" + from.place);
+    }
+    from.add(rules, "topics", topic, rule);
   }
   for (const std::string& action : from.entry.actions) {
     for (const char* const end : {"feedback", "status"}) {
@@ -252,12 +259,29 @@ const TrafficRule* TrafficRules::find(const std::string& topic) const {
   return stays && is_of_chain(topic) ? nullptr : found;
 }
 
+bool TrafficRules::waits_for_demand(const std::string& topic) const {
+  const TrafficRule* const rule = find(topic);
+  if (rule == nullptr || !rule->on_demand || rule->logged) return false;
+  return std::none_of(fetches_.begin(), fetches_.end(),
+                      [&](const FetchRule& fetch) { return fetch.when == topic; });
+}
+
 bool TrafficRules::takes(const std::string& topic) const {
   if (chain_ == VehicleChain::ours && is_of_chain(topic)) return false;
   return path_.empty() || std::any_of(others_.begin(), others_.end(), [&](const SentTopics& sent) {
            const TrafficRule* const rule = sent.find(topic);
            return rule != nullptr && rule->live;
          });
+}
+
+bool TrafficRules::takes_on_demand(const std::string& topic) const {
+  const auto is_sent = [&](bool on_demand) {
+    return std::any_of(others_.begin(), others_.end(), [&](const SentTopics& sent) {
+      const TrafficRule* const rule = sent.find(topic);
+      return rule != nullptr && rule->live && rule->on_demand == on_demand;
+    });
+  };
+  return is_sent(true) && !is_sent(false);
 }
 
 bool TrafficRules::takes_later(const std::string& topic) const {

@@ -26,7 +26,7 @@ void write_large(const LargeWriter& writer, std::size_t bytes, Duration period) 
   const auto encoded = std::make_shared<EncodedMessage>(EncodedMessage{encode(type, &message)});
   QosProfile profile;
   profile.reliability = Reliability::best_effort;
-  FlowWriter flow(participant, writer.topic, type.name, profile, [](const auto&) {});
+  FlowWriter flow(participant, writer.topic, type.name, profile, [](const auto&, bool) {});
   CarriedSample sample;
   sample.content = encoded;
   sample.bytes = static_cast<std::uint32_t>(encoded->bytes.size());

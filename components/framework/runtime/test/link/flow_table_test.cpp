@@ -117,10 +117,14 @@ TEST_F(FlowTableTest, ARestartedPeerTakesOverWhenItIsReceivedFromAndTheFormerIsN
   EXPECT_TRUE(sut_.on_received(guid(9, 4), now_));
   sut_.on_peer(guid(10, 0).guidPrefix, "gcs", true, now_);
   sut_.on_link_end(guid(10, 4), writer("rt/goal"), true);
-  sut_.on_peer_listens(guid(10, 0).guidPrefix, 3);
+  sut_.on_peer_listens(guid(10, 0).guidPrefix, 3, true);
+  sut_.on_peer_listens(guid(10, 0).guidPrefix, 4, true);
+  sut_.on_peer_listens(guid(10, 0).guidPrefix, 4, false);
   const auto held = next<PeerFlow>();
   EXPECT_EQ(held.flow, sut_.flow_of(guid(10, 4))) << "it is received, and its peer is not reported";
   (void)next<PeerReaderMatched>();
+  (void)next<PeerReaderMatched>();
+  EXPECT_EQ(next<PeerReaderGone>().flow, 4U);
   now_ += PeerInstances::least_silence;
   EXPECT_TRUE(sut_.on_received(guid(10, 4), now_));
   EXPECT_EQ(next<PeerFound>().peer, held.peer);
@@ -128,7 +132,7 @@ TEST_F(FlowTableTest, ARestartedPeerTakesOverWhenItIsReceivedFromAndTheFormerIsN
   EXPECT_EQ(next<PeerLost>().peer, flow.peer);
   EXPECT_EQ(next<PeerFlow>().peer, flow.peer) << "it may return";
   EXPECT_EQ(next<PeerFlow>().flow, held.flow);
-  EXPECT_EQ(next<PeerReaderMatched>().peer, held.peer);
+  EXPECT_EQ(next<PeerReaderMatched>().flow, 3U) << "the one that is still read";
   sut_.on_peer(guid(9, 0).guidPrefix, "", false, now_);  // its lease ends at last
   (void)next<PeerFlowGone>();
   EXPECT_FALSE(sut_.pop());

@@ -73,6 +73,40 @@ TEST_F(LinkBusTest, AVelocityThatAPeerSendsIsNotGivenToTheVehicle) {
   EXPECT_TRUE(velocities.all().empty());
 }
 
+TEST_F(LinkBusTest, WhatIsOnDemandCrossesWhileSomebodyOnTheOtherHostReadsIt) {
+  const Relay uxv(options(Role::uxv));
+  Relay gcs(options(Role::gcs));
+  const auto vehicle = process(Role::uxv);
+  const auto station = process(Role::gcs);
+  const auto scan = vehicle->advertise(endpoint<topic::Scan>());
+  const auto location = vehicle->advertise(endpoint<topic::Location>());
+  Samples scans;
+  Samples locations;
+  const auto near = station->subscribe(endpoint<topic::Location>(), locations);
+  const auto count = [&](Samples& samples) {
+    (void)scan->write(std::make_shared<const topic::Scan::Message>());
+    (void)location->write(std::make_shared<const topic::Location::Message>());
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    return samples.all().size();
+  };
+  ASSERT_TRUE(eventually([&] { return count(locations) > 20; }));
+  const auto crossed = [&] {
+    const auto all = gcs.crossed();
+    constexpr std::uint32_t between = 200;  // a scan without beams, and a location
+    return std::count_if(all.begin(), all.end(),
+                         [&](const auto& one) { return one.sample.bytes < between; });
+  };
+  EXPECT_EQ(crossed(), 0);
+  auto far = station->subscribe(endpoint<topic::Scan>(), scans);
+  ASSERT_TRUE(eventually([&] { return count(scans) > 5; })) << "it is read";
+  far.reset();
+  ASSERT_TRUE(eventually([&] {
+    const auto before = crossed();
+    for (int i = 0; i < 20; ++i) (void)count(locations);
+    return crossed() == before;
+  })) << "nobody reads it any more";
+}
+
 TEST_F(LinkBusTest, EachTransmissionHasTheNextNumberOfItsFlow) {
   const Relay uxv(options(Role::uxv));
   Relay gcs(options(Role::gcs));

@@ -63,6 +63,33 @@ TEST(TrafficRules, AnAdaptiveTopicIsNamedBesideItsClass) {
   EXPECT_FALSE(sut.of("cpu").adaptive);
 }
 
+TEST(TrafficRules, ATopicOnDemandIsNamedBesideItsClassByItsNameOrPattern) {
+  const ConfigFile file(
+      "uxv:\n  low: {topics: [cpu, scan, 'map*'], on_demand: [scan, 'map*']}\ngcs: {}\n");
+  const TrafficRules sut(file.path(), Role::uxv);
+  EXPECT_TRUE(sut.of("scan").on_demand);
+  EXPECT_TRUE(sut.of("map_tiles").on_demand);
+  EXPECT_FALSE(sut.of("cpu").on_demand);
+  EXPECT_TRUE(sut.waits_for_demand("scan"));
+  EXPECT_FALSE(sut.waits_for_demand("cpu"));
+  EXPECT_FALSE(sut.waits_for_demand("unknown"));
+  const TrafficRules there(file.path(), Role::gcs);
+  EXPECT_TRUE(there.takes_on_demand("scan"));
+  EXPECT_FALSE(there.takes_on_demand("cpu"));
+  EXPECT_FALSE(there.takes_on_demand("unknown"));
+  EXPECT_FALSE(sut.takes_on_demand("scan")) << "its own";
+}
+
+TEST(TrafficRules, WhatALogOrARuleNeedsDoesNotWaitForDemand) {
+  const ConfigFile file(
+      "uxv:\n  low: {topics: [scan, imu, tf], on_demand: [scan, imu, tf], log: [scan]}\n"
+      "  fetch:\n    - {when: imu, topics: [scan]}\n");
+  const TrafficRules sut(file.path(), Role::uxv);
+  EXPECT_FALSE(sut.waits_for_demand("scan"));
+  EXPECT_FALSE(sut.waits_for_demand("imu"));
+  EXPECT_TRUE(sut.waits_for_demand("tf"));
+}
+
 TEST(TrafficRules, AStoredTopicIsNamedBesideItsClass) {
   const ConfigFile file(
       "uxv:\n  low: {while_poor: drop, topics: [battery, cpu], store: [battery]}\n");
@@ -233,6 +260,10 @@ TEST(TrafficRules, AMistakeIsAnErrorWithItsPlace) {
            {"uxv:\n  low: {topics: [a]}\n  high: {topics: [a]}\n", "a is in two classes", ":3)"},
            {"uxv:\n  low: {topics: [camera], adaptive: [camra]}\n",
             "uxv.low.adaptive: camra is in no class of this role", ":2)"},
+           {"uxv:\n  low: {topics: [scan], on_demand: [scam]}\n",
+            "uxv.low.on_demand: scam is in no class of this role", ":2)"},
+           {"uxv:\n  low: {topics: [scan], on_demand: [scan], store: [scan]}\n",
+            "uxv.low.on_demand: scan is stored, so that all of it crosses anyway", ":2)"},
            {"uxv:\n  low: {topics: [battery], store: [batery]}\n",
             "uxv.low.store: batery is in no class of this role", ":2)"},
            {"uxv:\n  low: {topics: ['*']}\n  stays: {a: b}\n", "uxv.stays: is no list of names",

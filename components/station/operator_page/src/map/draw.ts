@@ -200,6 +200,15 @@ export function drawEllipse(sheet: Sheet, place: Point, ellipse: Ellipse): void 
   });
 }
 
+/** Where beams of the laser ended. */
+export function drawScan({ context, theme, view, size }: Sheet, points: readonly Point[]): void {
+  context.fillStyle = theme.bad;
+  for (const point of points) {
+    const { x, y } = view.toScreen(point, size);
+    context.fillRect(x - 1.5, y - 1.5, 3, 3);
+  }
+}
+
 /** Radius of the vehicle [m]; on the screen at least so many pixels. */
 const vehicleRadiusM = 0.18;
 const leastRadiusPx = 10;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The canvas of the map: which part of it is shown, and its pictures.
 import { type Freshness, freshness } from "../model/freshness.ts";
-import type { OccupancyGrid, Waypoint } from "../model/messages.ts";
+import { type OccupancyGrid, type Waypoint, scanTopics } from "../model/messages.ts";
 import type { Operator } from "../operator.ts";
 import { Backdrop, type Layer } from "./backdrop.ts";
-import { type Sheet, drawDraft, drawEllipse, drawLine, drawPlace, drawRoute, drawScale, drawVehicle } from "./draw.ts";
+import { type Sheet, drawDraft, drawEllipse, drawLine, drawPlace, drawRoute, drawScale, drawScan, drawVehicle } from "./draw.ts";
 import { gridPixels, knownBounds, signalPixels } from "./grid.ts";
 import { MapHands } from "./map_hands.ts";
 import { type Theme, readTheme } from "./theme.ts";
@@ -19,6 +19,7 @@ const toolsPx = 46;
 
 export class MapCanvas {
   follows = false;
+  showsScan = false;
   #view = new Viewport();
   #theme: Theme = readTheme();
   #backdrop = new Backdrop({
@@ -57,6 +58,7 @@ export class MapCanvas {
 
   dispose(): void {
     cancelAnimationFrame(this.#frame);
+    if (this.showsScan) this.showScan(false);
     this.#resize.disconnect();
     this.#hands.dispose();
     this.#scheme.removeEventListener("change", this.#newTheme);
@@ -84,6 +86,15 @@ export class MapCanvas {
   follow(follows: boolean): void {
     this.follows = follows;
     if (follows) this.#showsAll = false;
+    this.touch();
+    this.onChange();
+  }
+
+  /** Whether the last turn of the laser is shown; it comes over the radio only then. */
+  showScan(shows: boolean): void {
+    this.showsScan = shows;
+    for (const topic of scanTopics) this.operator.connection.want(topic, shows);
+    if (!shows) this.operator.live.scan.forget();
     this.touch();
     this.onChange();
   }
@@ -142,6 +153,7 @@ export class MapCanvas {
     if (station.plan && freshness(station.plan.at, now) !== "unknown") {
       drawLine(sheet, station.plan.value.poses.map(({ pose }) => pose.position), this.#theme.accent, 2, []);
     }
+    if (this.showsScan) drawScan(sheet, station.scan.points());
     if (station.location) this.#drawVehicle(sheet, station.location.value, station.location.at, now);
     if (draft) drawDraft(sheet, draft, this.#draftWay.through(map, place, draft.places));
     if (this.operator.place.place) drawPlace(sheet, this.operator.place.place);

@@ -33,6 +33,8 @@ export type Log = rcl_interfaces.Log;
 export type OccupancyGrid = nav_msgs.OccupancyGrid;
 export type OccupancyGridUpdate = map_msgs.OccupancyGridUpdate;
 export type Path = nav_msgs.Path;
+export type LaserScan = sensor_msgs.LaserScan;
+export type TFMessage = tf2_msgs.TFMessage;
 
 const of = <Message>(): Message => undefined as unknown as Message;
 
@@ -64,12 +66,16 @@ const topics = {
   map_updates: of<OccupancyGridUpdate>(),
   link_map: of<OccupancyGrid>(),
   plan: of<Path>(),
+  scan: of<LaserScan>(),
+  tf_static: of<TFMessage>(),
 };
 
 export type Topics = typeof topics;
 export type Topic = keyof Topics;
 
 export const camera = "camera/image_raw/compressed";
+/** What comes only while the laser is shown. */
+export const scanTopics = ["scan", "tf_static"] as const;
 export const topicsRead: ReadonlySet<string> = new Set(Object.keys(topics));
 export const isTopicRead = (name: string): name is Topic => topicsRead.has(name);
 

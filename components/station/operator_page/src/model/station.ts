@@ -35,6 +35,7 @@ import {
 import { withTile } from "./map_update.ts";
 import { reasonText } from "./reasons.ts";
 import { Route } from "./route.ts";
+import { ScanOnMap } from "./scan.ts";
 import { DecisionSeries } from "./series.ts";
 import { SourceClock, stampMs } from "./source_clock.ts";
 import { Trail } from "./trail.ts";
@@ -77,6 +78,7 @@ export class Station {
   readonly route = new Route();
   readonly traffic = new TrafficTable();
   readonly journal = new Journal();
+  readonly scan = new ScanOnMap();
   readonly containers = new Map<string, Heard<ContainerState>>();
   readonly diagnostics = new Map<string, Heard<DiagnosticArray["status"][number]>>();
   location: Heard<Location> | undefined;
@@ -186,6 +188,8 @@ export class Station {
     map_updates: (tile) => (this.map = (this.map && withTile(this.map, tile)) ?? this.map),
     link_map: (value) => (this.linkMap = value),
     plan: (value, at) => (this.plan = { value, at }),
+    scan: (message) => this.scan.onScan(message),
+    tf_static: (message) => this.scan.onTransforms(message),
   };
 
   #onTraffic(report: TrafficReport, at: number): void {
@@ -200,6 +204,7 @@ export class Station {
   #onLocation(message: PoseWithCovarianceStamped, at: number): void {
     const pose = waypointOf(message.pose.pose);
     if (!isFinitePose(pose)) return;
+    this.scan.onLocation(message.header.stamp, pose);
     this.location = { value: { ...pose, ellipse: ellipse95(message.pose.covariance) }, at };
     const transmission = this.uxv.transmission?.value;
     this.trail.add(pose, transmission?.qni, transmission?.active === false);

@@ -56,6 +56,7 @@ function Tools({ operator, map, onMission }: { operator: Operator; map: RefObjec
         Follow
       </button>
       <button type="button" title="Choose places (G)" aria-pressed={operator.mission.draft !== undefined} onClick={onMission}>Mission</button>
+      <LaserButton operator={operator} map={map} />
       <button
         type="button"
         title="Say where the vehicle is (L)"
@@ -66,6 +67,20 @@ function Tools({ operator, map, onMission }: { operator: Operator; map: RefObjec
         Place
       </button>
     </div>
+  );
+}
+
+function LaserButton({ operator, map }: { operator: Operator; map: RefObject<MapCanvas | undefined> }) {
+  return (
+    <button
+      type="button"
+      title="Show what the laser sees"
+      aria-pressed={map.current?.showsScan ?? false}
+      disabled={!operator.connection.offered.has("scan") && operator.recordings.player === undefined}
+      onClick={() => map.current?.showScan(!map.current.showsScan)}
+    >
+      Laser
+    </button>
   );
 }
 

@@ -99,6 +99,7 @@ std::map<std::string, std::vector<std::pair<std::string, std::string>>> settings
 struct ClassLists {
   std::vector<std::string> topics;
   std::vector<std::string> adaptive;
+  std::vector<std::string> on_demand;
 };
 
 /// The part of a traffic file that moves these topics of a role to their classes.
@@ -115,11 +116,13 @@ std::string role_text(const TunePlan& plan, const std::string& role,
     }
     classes[wanted].topics.push_back(topic);
     if (rules.of(topic).adaptive) classes[wanted].adaptive.push_back(topic);
+    if (rules.of(topic).on_demand) classes[wanted].on_demand.push_back(topic);
   }
   std::string text = role + ":\n";
   for (const auto& [name, lists] : classes) {
     text += "  " + name + ":\n    topics: [" + joined(lists.topics) + "]\n";
     if (!lists.adaptive.empty()) text += "    adaptive: [" + joined(lists.adaptive) + "]\n";
+    if (!lists.on_demand.empty()) text += "    on_demand: [" + joined(lists.on_demand) + "]\n";
   }
   return text;
 }

@@ -90,6 +90,10 @@ struct PeerReaderMatched {  ///< a peer's router has begun to read what is sent 
   FlowId flow;
   PeerId peer;
 };
+struct PeerReaderGone {  ///< of a topic on demand: nobody on that peer's host reads it any more
+  FlowId flow;
+  PeerId peer;
+};
 struct HostReaderMatched {  ///< a reader of this host hears a flow of `offer`
   FlowId flow;
 };
@@ -104,7 +108,7 @@ using LinkEvent =
     std::variant<link_event::HostFlow, link_event::HostFlowGone, link_event::HostSample,
                  link_event::PeerFound, link_event::PeerLost, link_event::PeerFlow,
                  link_event::PeerFlowGone, link_event::PeerReaderMatched,
-                 link_event::HostReaderMatched, link_event::LinkSample>;
+                 link_event::PeerReaderGone, link_event::HostReaderMatched, link_event::LinkSample>;
 
 /// IP packets that a host's router has put on the link since its start, by what is in them.
 struct LinkPackets {
@@ -129,6 +133,9 @@ class LinkBus {
   [[nodiscard]] virtual std::optional<LinkEvent> take() = 0;
   /// This router's own life, as its peers see it; zero while the link is not up.
   [[nodiscard]] virtual PeerId self() const = 0;
+  /// Whether samples of a HostFlow are taken from the host. Only of topics on demand, which begin
+  /// as not wanted: with the first call that wants them come the last samples of states.
+  virtual void want(FlowId /*host_flow*/, bool /*wanted*/) {}
   /// Makes a writer on the link, whose packets bear the DSCP of the class.
   virtual FlowId open(const Flow& flow, TrafficClass traffic_class) = 0;
   /// The number by which the peers know a flow of `open`: the entity id of its writer. Zero while
@@ -141,7 +148,8 @@ class LinkBus {
   [[nodiscard]] virtual std::optional<std::uint64_t> send(FlowId flow,
                                                           const CarriedSample& sample) = 0;
   /// Makes the writer on this host of a peer's flow. A HostReaderMatched reports each reader of
-  /// another process that it matches from then on.
+  /// another process that it matches from then on. A topic that the rules take on demand is
+  /// received while it has such a reader.
   virtual void offer(FlowId peer_flow) = 0;
   /// The same of a flow that is no peer's, under a number for `deliver`.
   virtual FlowId offer(const Flow& flow) = 0;

@@ -47,6 +47,7 @@ struct TrafficRule {
   TrafficClass traffic_class = TrafficClass::normal;
   WhilePoor while_poor = WhilePoor::send;
   bool adaptive = false;   ///< its writer follows the link's budget
+  bool on_demand = false;  ///< crosses while somebody on the other side reads it
   bool stored = false;     ///< what does not cross at first is kept in a log and backfilled later
   bool logged = false;     ///< a log keeps it, and what did not cross does so when it is asked for
   bool live = true;        ///< crosses as it is written; false: it is logged only
@@ -104,8 +105,13 @@ class TrafficRules {
   [[nodiscard]] const std::map<std::string, TrafficRule>& patterns() const {
     return own_.rules.patterns();
   }
+  /// Whether samples of a topic of this role are of use only while a peer reads it: it crosses on
+  /// demand, and no log and no rule needs it.
+  [[nodiscard]] bool waits_for_demand(const std::string& topic) const;
   /// Whether this role takes a topic from the link: another role sends it.
   [[nodiscard]] bool takes(const std::string& topic) const;
+  /// Whether all other roles that send it do so on demand only.
+  [[nodiscard]] bool takes_on_demand(const std::string& topic) const;
   /// Whether another role stores or logs a topic, so that it comes later, too.
   [[nodiscard]] bool takes_later(const std::string& topic) const;
   /// Whether this role keeps what arrives of a topic of another role in its log.

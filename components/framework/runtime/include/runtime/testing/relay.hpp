@@ -68,6 +68,7 @@ class Relay {
   }
   void on(LinkBus& bus, const link_event::HostFlow& event) {
     sending_[event.flow] = bus.open(event.what, TrafficClass::high);
+    bus.want(event.flow, true);
   }
   void on(LinkBus& bus, const link_event::HostFlowGone& event) {
     bus.close(sending_[event.flow]);
@@ -91,6 +92,7 @@ class Relay {
     gone_.push_back(event.flow);
   }
   void on(LinkBus&, const link_event::PeerReaderMatched&) {}
+  void on(LinkBus&, const link_event::PeerReaderGone&) {}
   void on(LinkBus&, const link_event::HostReaderMatched& event) {
     const std::lock_guard<std::mutex> lock(mutex_);
     heard_.push_back(event.flow);
