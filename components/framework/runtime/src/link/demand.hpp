@@ -20,10 +20,11 @@ class Demand {
     readers_[flow] += there ? 1 : -1;
     changed_.insert(flow);
   }
-  void forget(FlowId flow) {
+  /// Whether it was counted.
+  bool forget(FlowId flow) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    readers_.erase(flow);
     changed_.erase(flow);
+    return readers_.erase(flow) != 0;
   }
   /// Flows whose readers have changed since the last call, and whether there are any.
   [[nodiscard]] std::vector<std::pair<FlowId, bool>> take_changed() {

@@ -138,7 +138,8 @@ std::optional<LinkEvent> FastDdsLinkBus::take() {
     listen_on_host(host->flow, host->what);
   }
   if (const auto* gone = std::get_if<link_event::HostFlowGone>(&*event)) {
-    host_readers_.remove(gone->flow);
+    wanted_.erase(gone->flow) != 0 ? host_readers_.drop(gone->flow)
+                                   : host_readers_.remove(gone->flow);
   }
   const auto* peer = std::get_if<link_event::PeerFlow>(&*event);
   if (peer != nullptr && !rules_.takes_on_demand(peer->what.topic)) {
@@ -146,8 +147,8 @@ std::optional<LinkEvent> FastDdsLinkBus::take() {
   }
   if (const auto* gone = std::get_if<link_event::PeerFlowGone>(&*event)) {
     giving_.erase(gone->flow);
-    demand_.forget(gone->flow);
-    link_readers_.remove(gone->flow);
+    // A reader that stays for who is restarted would ask for what nobody reads.
+    demand_.forget(gone->flow) ? link_readers_.drop(gone->flow) : link_readers_.remove(gone->flow);
   }
   return event;
 }
@@ -222,9 +223,13 @@ void FastDdsLinkBus::on_link_sample(TakenSample&& taken) {
 }
 
 void FastDdsLinkBus::want(FlowId host_flow, bool wanted) {
-  if (!wanted) return host_readers_.drop(host_flow);
-  const auto flow = table_.find(host_flow);
-  if (flow) listen_on_host(host_flow, *flow);
+  const auto flow = wanted ? table_.find(host_flow) : std::nullopt;
+  if (!flow) {
+    wanted_.erase(host_flow);
+    return host_readers_.drop(host_flow);
+  }
+  wanted_.insert(host_flow);
+  listen_on_host(host_flow, *flow);
 }
 
 FlowId FastDdsLinkBus::open(const Flow& flow, TrafficClass traffic_class) {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 
 #include "fast_dds/graph_writer.hpp"
@@ -105,6 +106,7 @@ class FastDdsLinkBus final : public LinkBus {
   FastDdsHostServices services_;
   FlowReaders host_readers_;  // after the participants: destroyed first
   FlowReaders link_readers_;
+  std::set<FlowId> wanted_;  ///< of the host, on demand
   std::map<FlowId, Sending> sending_;
   std::map<FlowId, std::unique_ptr<FlowWriter>> giving_;
   std::unique_ptr<LateInterface> late_;  // last: destroyed first, as it calls back
