@@ -42,7 +42,6 @@ void LiveLink::on_local_flow(const LocalFlow& flow, Instant) {
 
 void LiveLink::on_local_flow_gone(const LocalFlow& flow, Instant) {
   if (flow.on_link) parts_.streams.remove(*flow.on_link);
-  taken_.erase(flow.on_host);
 }
 
 void LiveLink::on_local(const LocalFlow& flow, const CarriedSample& sample, bool is_live,
@@ -100,11 +99,9 @@ void LiveLink::on_remote_reader_gone(const LinkPeer& peer, FlowId flow, Time now
 
 void LiveLink::follow_demand() {
   for (const auto& [id, flow] : parts_.local) {
-    if (!flow.on_link || !flow.rule.on_demand) continue;
-    const bool wanted = parts_.sender.is_wanted(*flow.on_link);
-    if (wanted == (taken_.count(id) != 0)) continue;
-    wanted ? (void)taken_.insert(id) : (void)taken_.erase(id);
-    parts_.link.want(id, wanted);
+    // What a log or a rule needs is taken always.
+    if (!flow.on_link || !parts_.link.rules().waits_for_demand(flow.what.topic)) continue;
+    parts_.link.want(id, parts_.sender.is_wanted(*flow.on_link));
   }
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <set>
 #include <string>
 
 #include "held_arrivals.hpp"
@@ -59,7 +58,6 @@ class LiveLink final : public LinkService {
   router::GateKeeper keeper_;
   HeldArrivals held_;
   bool open_ = true;
-  std::set<FlowId> taken_;  ///< of the host's, on demand
 };
 
 }  // namespace tocsin

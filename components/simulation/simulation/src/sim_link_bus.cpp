@@ -188,7 +188,7 @@ void SimLinkBus::want(FlowId host_flow, bool wanted) {
                                   [&](const auto& entry) { return entry.second.id == host_flow; });
   if (found == host_flows_.end()) return;
   if (!wanted) return (void)idle_.insert(host_flow);
-  idle_.erase(host_flow);
+  if (idle_.erase(host_flow) == 0) return;  // they are taken already
   for (const SimProcess::Topic* writer : found->second.writers) {
     if (const Sample* const last = SimHost::last_of(*writer)) on_written(*writer, *last);
   }

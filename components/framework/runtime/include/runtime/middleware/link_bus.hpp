@@ -133,8 +133,9 @@ class LinkBus {
   [[nodiscard]] virtual std::optional<LinkEvent> take() = 0;
   /// This router's own life, as its peers see it; zero while the link is not up.
   [[nodiscard]] virtual PeerId self() const = 0;
-  /// Whether samples of a HostFlow are taken from the host. Only of topics on demand, which begin
-  /// as not wanted: with the first call that wants them come the last samples of states.
+  /// Whether samples of a HostFlow are taken from the host. Only of topics that wait for demand
+  /// (TrafficRules), which begin as not wanted: when they become so, the last samples of states
+  /// come. The same again changes nothing.
   virtual void want(FlowId /*host_flow*/, bool /*wanted*/) {}
   /// Makes a writer on the link, whose packets bear the DSCP of the class.
   virtual FlowId open(const Flow& flow, TrafficClass traffic_class) = 0;
