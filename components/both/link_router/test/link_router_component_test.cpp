@@ -127,6 +127,21 @@ TEST_F(LinkRouterTest, SendsWhatIsOnDemandUntilThePeersReaderIsGone) {
   EXPECT_TRUE(script_.wanted.empty());
 }
 
+TEST_F(LinkRouterTest, WhatALogNeedsIsTakenThoughNobodyReadsItAnyMore) {
+  const TemporaryFolder folder;
+  script_.rules = TrafficRules(
+      folder.write("traffic.yaml", "uxv: {low: {topics: [scan], on_demand: [scan], log: [scan]}}"),
+      Role::uxv);
+  meet();
+  const FlowId on_link = begin("scan");
+  listen(on_link);
+  script_.happen(link_event::PeerReaderGone{on_link, station});
+  write(1);
+  run(0.05);
+  EXPECT_EQ(script_.wants, 0);
+  EXPECT_EQ(script_.sent_on(on_link), 0U);
+}
+
 TEST_F(LinkRouterTest, WhileTheStateOfItsRoleIsPassiveClassLowIsSilent) {
   const FlowId low = begin("battery_state");
   const FlowId critical = begin("heartbeat", host_flow + 1);

@@ -60,6 +60,7 @@ class ScriptedLink {
   std::vector<Delivered> delivered;
   std::vector<FlowId> offered;
   std::set<FlowId> wanted;              ///< of the host, on demand
+  int wants = 0;                        ///< calls that said so, or that they are not
   std::map<FlowId, Flow> offered_here;  ///< flows that are no peer's
   std::vector<bool> gate;               ///< each time that it changed: open
   bool is_up = true;
@@ -83,6 +84,7 @@ class ScriptedLinkBus final : public LinkBus {
   }
   [[nodiscard]] PeerId self() const override { return ScriptedLink::own_instance; }
   void want(FlowId host_flow, bool wanted) override {
+    ++script_.wants;
     wanted ? (void)script_.wanted.insert(host_flow) : (void)script_.wanted.erase(host_flow);
   }
   FlowId open(const Flow& flow, TrafficClass traffic_class) override {
