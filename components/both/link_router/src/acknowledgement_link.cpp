@@ -47,7 +47,7 @@ void AcknowledgementLink::finish(Instant at) {
     for (const auto& service : services_) service->add_to(*message, to, at.now);
     // One that the middleware refuses is as good as lost: the next one has the same content.
     (void)parts_.link.send(
-        flow_, parts_.link.pack(type_info<AcknowledgementMessage>(), std::move(message)));
+        flow_, parts_.link.pack(type_info<AcknowledgementMessage>(), std::move(message)), {});
   }
 }
 

@@ -34,6 +34,7 @@ bool is_settled(const DeliveryLog::Record& record) {
 
 void DeliveryLog::add(Record record) {
   const auto kept = std::make_shared<Record>(std::move(record));
+  kept->order = ++last_order_;
   Records& records = streams_[kept->sample->stream];
   records.push_back(kept);
   kept->sample->under_way += static_cast<unsigned>(kept->copies.size());
@@ -75,6 +76,8 @@ Settlement DeliveryLog::settle(Record& record, Copy& copy, bool received) {
   settlement.peer = copy.peer;
   settlement.received = received;
   settlement.cost = record.cost;
+  settlement.burst = record.burst;
+  settlement.order = record.order;
   settlement.sent = record.sent;
   settlement.expected = copy.expected;
   settlement.sample = record.sample;
@@ -113,15 +116,14 @@ void DeliveryLog::take_stream(PeerIndex peer, const StreamAcknowledgement& ackno
 
 void DeliveryLog::give_up_overtaken(PeerIndex peer, const std::vector<Settlement>& received,
                                     std::vector<Settlement>& settled) {
-  std::array<Time, traffic_classes.size()> latest;
-  latest.fill(Time::min());
+  std::array<std::uint64_t, traffic_classes.size()> latest{};
   for (const Settlement& one : received) {
-    Time& time = latest[index_of(one.sample->traffic_class)];
-    time = std::max(time, one.sent);
+    std::uint64_t& order = latest[index_of(one.sample->traffic_class)];
+    order = std::max(order, one.order);
   }
   give_up(
       [&](const Record& record, const Copy& copy) {
-        return copy.peer == peer && record.sent < latest[index_of(record.sample->traffic_class)];
+        return copy.peer == peer && record.order < latest[index_of(record.sample->traffic_class)];
       },
       settled);
 }
@@ -133,7 +135,7 @@ std::vector<Settlement> DeliveryLog::on_acknowledgement(
     take_stream(peer, stream, acknowledgement.made, settled);
   }
   std::sort(settled.begin(), settled.end(),
-            [](const Settlement& a, const Settlement& b) { return a.sent < b.sent; });
+            [](const Settlement& a, const Settlement& b) { return a.order < b.order; });
   if (!settled.empty()) drop_settled();
   std::vector<Settlement> lost;
   give_up_overtaken(peer, settled, lost);
@@ -159,10 +161,17 @@ Time DeliveryLog::next_overdue() const {
   return next;
 }
 
+bool DeliveryLog::is_under_way(PeerIndex peer) const {
+  return std::any_of(under_way_.begin(), under_way_.end(), [peer](const RecordPtr& record) {
+    return std::any_of(record->copies.begin(), record->copies.end(),
+                       [peer](const Copy& copy) { return copy.peer == peer && !copy.settled; });
+  });
+}
+
 std::size_t DeliveryLog::count_under_way(PeerIndex peer, std::size_t packets) const {
   std::size_t count = 0;
   for (const RecordPtr& record : under_way_) {
-    if (record->cost.packets < packets) continue;
+    if (record->cost.packets < packets || !record->sample->piece.is_last()) continue;
     for (const Copy& copy : record->copies) {
       if (copy.peer == peer && !copy.settled) ++count;
     }

@@ -59,7 +59,7 @@ Duration LinkEstimator::on_received(const Received& received, Time now) {
     return std::clamp(crossing - least_.value().value_or(crossing), Duration::zero(), most);
   };
   if (!received.is_exact) return over_least();
-  if (received.cost.packets >= bulk_packets) {
+  if (received.burst != 0 || received.cost.packets >= bulk_packets) {
     if (!least_.value()) return Duration::zero();
     const Duration delay = over_least();
     learn_capacity(received, received.sent + delay);
@@ -74,13 +74,19 @@ Duration LinkEstimator::on_received(const Received& received, Time now) {
 }
 
 void LinkEstimator::learn_capacity(const Received& received, Time arrived) {
-  const Time turn = std::max(received.sent, bulk_arrived_);
+  if (received.cost.packets < bulk_packets) return;
+  if (received.burst == 0 || received.burst != last_.burst) {
+    last_ = {received.burst, std::max(received.sent, bulk_arrived_), capacity_bytes_per_s_, {}};
+  }
   bulk_arrived_ = std::max(bulk_arrived_, arrived);
-  drained_ += arrived - received.expected;
+  const Duration behind = arrived - received.expected;
+  drained_ += behind - last_.behind;
+  last_.behind = behind;
   is_capacity_measured_ = measured_ = true;
-  const Duration service = std::max(arrived - turn, shortest_service);
+  const Duration service = std::max(arrived - last_.turn, shortest_service);
   const double measured = std::clamp(static_cast<double>(received.cost.bytes) / to_seconds(service),
                                      least_capacity_bytes_per_s, most_capacity_bytes_per_s);
+  capacity_bytes_per_s_ = last_.before_bytes_per_s;
   blend(capacity_bytes_per_s_, measured,
         measured < capacity_bytes_per_s_ ? capacity_falls : capacity_rises);
 }

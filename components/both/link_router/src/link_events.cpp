@@ -100,8 +100,18 @@ void LinkEvents::on(const link_event::PeerReaderGone& event, Instant at) {
 
 void LinkEvents::on(const link_event::LinkSample& event, Instant at) {
   const auto found = remote_.find(event.flow);
-  if (found == remote_.end() || peers_.find(found->second.peer) == nullptr) return;
-  found->second.service->on_remote(found->second, event, at);
+  if (found == remote_.end()) return;
+  const RemoteFlow& flow = found->second;
+  const LinkPeer* const peer = peers_.find(flow.peer);
+  if (peer == nullptr) return;
+  if (event.piece.is_whole()) return flow.service->on_remote(flow, event, at);
+  const auto pieces = receiver_.on_piece(
+      peer->name,
+      {flow.wire_id, event.number, origin_of(event.sample), event.piece, event.sample.content},
+      at.now);
+  if (!pieces) return;
+  const CarriedSample whole = link_.join(event.sample, *pieces);
+  flow.service->on_remote(flow, {event.flow, event.number, whole, event.received, {}}, at);
 }
 
 }  // namespace tocsin

@@ -10,12 +10,14 @@
 namespace tocsin {
 
 /// Tells the services what happens at the link, and keeps the tables of peers and flows: a flow of
-/// the host goes to all, a flow of a peer to the service that takes it.
+/// the host goes to all, a flow of a peer to the service that takes it. Puts samples together that
+/// come in pieces.
 class LinkEvents {
  public:
   using Services = std::vector<std::unique_ptr<LinkService>>;
-  /// Both outlive it.
-  LinkEvents(LinkBus& link, const Services& services) : link_(link), services_(services) {}
+  /// All outlive it.
+  LinkEvents(LinkBus& link, router::LinkReceiver& receiver, const Services& services)
+      : link_(link), receiver_(receiver), services_(services) {}
   /// All that has happened since the last call.
   void take(Instant at);
 
@@ -39,6 +41,7 @@ class LinkEvents {
   void on(const link_event::LinkSample& event, Instant at);
 
   LinkBus& link_;
+  router::LinkReceiver& receiver_;
   const Services& services_;
   LinkPeers peers_;
   std::map<FlowId, LocalFlow> local_;

@@ -2,6 +2,7 @@
 #include "link_router/link_receiver.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "link_router/link_constants.hpp"
@@ -10,6 +11,8 @@ namespace {
 
 /// Sources of all streams of a peer that are remembered; then the one silent for longest goes.
 constexpr std::size_t most_memories = 256;
+/// Samples of a stream that are put together at once.
+constexpr std::size_t most_partial = 8;
 /// A stream is in the acknowledgements of this time after something of it was received, so that one
 /// of them arrives.
 constexpr Duration repeated_for = std::chrono::milliseconds(500);
@@ -66,6 +69,41 @@ Disposition LinkReceiver::on_arrived(const std::string& peer, const Arrived& arr
   return disposition;
 }
 
+std::list<LinkReceiver::Partial>::iterator LinkReceiver::partial_of(Stream& stream,
+                                                                    const Arrived& arrived) {
+  auto& all = stream.partial;
+  const auto known = std::find_if(all.begin(), all.end(), [&](const Partial& one) {
+    return one.source == arrived.origin.source && one.sequence == arrived.origin.sequence &&
+           one.there.size() == arrived.piece.count;
+  });
+  if (known != all.end()) return known;
+  if (all.size() == most_partial) all.pop_front();
+  const std::size_t count = arrived.piece.count;
+  all.push_back({arrived.origin.source, arrived.origin.sequence, std::vector<bool>(count),
+                 std::vector<std::shared_ptr<const void>>(count)});
+  return std::prev(all.end());
+}
+
+std::optional<std::vector<std::shared_ptr<const void>>> LinkReceiver::on_piece(
+    const std::string& peer, const Arrived& arrived, Time now) {
+  const auto known = peers_.find(peer);
+  if (known == peers_.end()) return std::nullopt;
+  const auto found = known->second.streams.find(arrived.stream);
+  if (found == known->second.streams.end()) return std::nullopt;
+  Stream& stream = found->second;
+  const auto partial = partial_of(stream, arrived);
+  partial->there[arrived.piece.index] = true;
+  partial->pieces[arrived.piece.index] = arrived.content;
+  if (std::count(partial->there.begin(), partial->there.end(), false) == 0) {
+    auto pieces = std::move(partial->pieces);
+    stream.partial.erase(partial);
+    return pieces;
+  }
+  ask_for_acknowledgement(known->second, now);
+  note(stream, arrived.number, now);
+  return std::nullopt;
+}
+
 void LinkReceiver::note(Stream& stream, TransmissionNumber number, Time now) {
   if (number < stream.highest && stream.highest - number > StreamAcknowledgement::window) {
     if (!is_contrary(stream, number, now)) return;
@@ -86,11 +124,12 @@ void LinkReceiver::note(Stream& stream, TransmissionNumber number, Time now) {
 }
 
 bool LinkReceiver::is_contrary(Stream& stream, TransmissionNumber number, Time now) {
-  if (!stream.low || number < stream.low->first) {
+  // A few that overtake each other are of one sender.
+  if (!stream.low || number + StreamAcknowledgement::window < stream.low->first) {
     stream.low = {number, now};
     return false;
   }
-  stream.low->first = number;
+  stream.low->first = std::max(stream.low->first, number);
   return now - stream.low->second >= contrary_for;
 }
 

@@ -49,9 +49,9 @@ LinkRouterComponent::Router::Router(Component& owner, Context& context, Logger& 
                                     const Params& params)
     : reports_(owner),
       link_(open_link(owner)),
-      sender_(params.link),
+      sender_(params.link, link_->largest_piece()),
       streams_(*link_, sender_),
-      events_(*link_, services_) {
+      events_(*link_, receiver_, services_) {
   const LinkParts parts{*link_,          sender_,         receiver_,        streams_,
                         events_.peers(), events_.local(), events_.remote(), log};
   auto acknowledgements = std::make_unique<AcknowledgementLink>(parts, services_);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "link_router/link_constants.hpp"
+#include "link_router/sent_pieces.hpp"
 namespace tocsin::router {
 namespace {
 
@@ -21,13 +22,14 @@ Duration patience_of(const LinkRouterParams& params) {
 
 }  // namespace
 
-LinkSender::LinkSender(const LinkRouterParams& params)
+LinkSender::LinkSender(const LinkRouterParams& params, std::size_t largest)
     : params_(params),
       queue_(static_cast<std::size_t>(params.queue_bytes)),
       log_(patience_of(params)),
       pacer_(params, paths_, log_),
       retransmitter_(params, paths_, pacer_, gate_),
-      adaptation_(params) {
+      adaptation_(params),
+      largest_piece_(largest) {
   check(params);
 }
 
@@ -45,7 +47,11 @@ void LinkSender::remove_stream(StreamId stream) {
   for (const auto& waiting : {queue_.take_stream(stream), gate_.take_stream(stream)}) {
     for (const Waiting& one : waiting) counters_.on_dropped(one, rule, DropReason::removed);
   }
-  for (const SentSamplePtr& sent : retransmitter_.end_stream(stream)) counters_.end(*sent);
+  for (const SentSamplePtr& sent : retransmitter_.end_stream(stream)) {
+    counters_.end(sent->whole ? *sent->whole : *sent);
+  }
+  const auto is_of_stream = [stream](const auto& sent) { return sent->stream == stream; };
+  burst_.erase(std::remove_if(burst_.begin(), burst_.end(), is_of_stream), burst_.end());
   streams_.erase(found);
   adaptation_.forget_stream(stream);
   counters_.forget_stream(stream);
@@ -91,7 +97,7 @@ void LinkSender::set_wanted(const std::string& peer, StreamId stream, bool wante
     copy->counted = false;
     copy->superseded = false;
     copy->fate = SentSample::Fate::open;
-    retransmitter_.add(copy);
+    for (const SentSamplePtr& piece : cut(copy, largest_piece_)) retransmitter_.add(piece);
   }
 }
 
@@ -153,19 +159,37 @@ void LinkSender::drop(const std::vector<Dropped>& dropped) {
 }
 
 std::optional<Transmission> LinkSender::next(Time now) {
+  if (!burst_.empty()) {
+    const SentSamplePtr piece = burst_.front();
+    burst_.pop_front();
+    return transmit(piece, now);
+  }
   apply(log_.give_up_overdue(now), now);
   drop(queue_.take_expired(now));
   conclude(now);
   adaptation_.follow(paths_, now);
   for (const TrafficClass traffic_class : traffic_classes) {
-    if (queue_.samples(traffic_class) > 0) {
-      const std::size_t packets = pacer_.packets_allowed(traffic_class, now);
-      const auto waiting = queue_.take_first(traffic_class, packets);
-      if (waiting) return send_first(*waiting, now);
-    }
-    if (const auto sent = retransmitter_.due(traffic_class, now)) return transmit(sent, now);
+    if (auto one = next_of(traffic_class, now)) return one;
   }
   return std::nullopt;
+}
+
+std::optional<Transmission> LinkSender::next_of(TrafficClass traffic_class, Time now) {
+  const SentSamplePtr piece = retransmitter_.due_piece(traffic_class, now);
+  if (piece || queue_.samples(traffic_class) > 0) {
+    const std::size_t packets = pacer_.packets_allowed(traffic_class, now);
+    if (piece && packets > bulk_packets) return transmit(piece, now);
+    const auto waiting = queue_.take_first(traffic_class, packets);
+    if (waiting) return send_first(*waiting, now);
+  }
+  if (const auto sent = retransmitter_.due(traffic_class, now)) return transmit(sent, now);
+  return std::nullopt;
+}
+
+bool LinkSender::has_due_piece(Time now) const {
+  return std::any_of(traffic_classes.begin(), traffic_classes.end(), [&](TrafficClass one) {
+    return retransmitter_.due_piece(one, now) != nullptr;
+  });
 }
 
 Transmission LinkSender::send_first(const Waiting& waiting, Time now) {
@@ -174,8 +198,14 @@ Transmission LinkSender::send_first(const Waiting& waiting, Time now) {
   counters_.on_first_sent(*sent);
   source_of(stream, sent->sample).sent = now;
   retransmitter_.supersede(*sent, stream.rule.depth);
-  retransmitter_.add(sent);
-  return transmit(sent, now);
+  const auto pieces = cut(sent, largest_piece_);
+  const std::uint64_t burst = pieces.size() > 1 ? ++bursts_ : 0;
+  for (const SentSamplePtr& piece : pieces) {
+    piece->burst = burst;
+    retransmitter_.add(piece);
+  }
+  burst_.assign(pieces.begin() + 1, pieces.end());
+  return transmit(pieces.front(), now);
 }
 
 SentSamplePtr LinkSender::make_sent(const Waiting& waiting) {
@@ -203,7 +233,12 @@ SentSamplePtr LinkSender::make_sent(const Waiting& waiting) {
 Transmission LinkSender::transmit(const SentSamplePtr& sent, Time now) {
   const Stream& stream = streams_.at(sent->stream);
   const WireCost& cost = sent->cost;
-  Transmission one{sent->stream, sent->sample, false, {0, now, cost, sent, {}}};
+  const bool was_sent = sent->transmissions > 0;
+  Transmission one{sent->stream, sent->sample, sent->piece, false, {0, now, cost, 0, sent, {}}};
+  if (sent->burst != 0 && !was_sent) {
+    one.record.cost = sent->burst_cost;
+    one.record.burst = sent->burst;
+  }
   Duration expected{0};
   for (auto& entry : paths_.all()) {
     PeerPath& peer = entry.second;
@@ -212,7 +247,6 @@ Transmission LinkSender::transmit(const SentSamplePtr& sent, Time now) {
     expected = std::max(expected, wait);
     one.record.copies.push_back({peer.index, peer.estimator.on_sent(cost, now), false, false});
   }
-  const bool was_sent = sent->transmissions > 0;
   retransmitter_.schedule(*sent, expected, now);
   pacer_.on_sent(now);
   if (stream.is_backfill) return one;
@@ -220,7 +254,8 @@ Transmission LinkSender::transmit(const SentSamplePtr& sent, Time now) {
   if (!stream.rule.adaptive) adaptation_.on_other(cost, now);
   if (was_sent || !sent->counted) {
     counters_.on_repair(sent->traffic_class);
-    retransmitter_.spend(cost.bytes, now);
+    sent->whole ? retransmitter_.note_piece(cost.bytes, now)
+                : retransmitter_.spend(cost.bytes, now);
   }
   return one;
 }
@@ -239,7 +274,7 @@ bool LinkSender::has_waiting() const {
 Time LinkSender::deadline(Time now) const {
   const Time next =
       std::min({queue_.next_expiry(), log_.next_overdue(), retransmitter_.deadline(now)});
-  if (!has_waiting()) return next;
+  if (!has_waiting() && !has_due_piece(now)) return next;
   const Time opens = pacer_.opens(now);
   return opens > now ? std::min(next, opens) : next;
 }
@@ -255,7 +290,7 @@ void LinkSender::on_acknowledgement(const std::string& peer,
                                     [](const Settlement& one) { return one.received; });
   apply(settlements, now);
   if (!received) return;
-  if (log_.count_under_way(from->index, 0) == 0) from->estimator.on_all_settled();
+  if (!log_.is_under_way(from->index)) from->estimator.on_all_settled();
   if (!was_silent) return;
   from->estimator.start_over(now);
   retransmitter_.revive(now);
@@ -269,25 +304,47 @@ void LinkSender::apply(const std::vector<Settlement>& settlements, Time now) {
 void LinkSender::apply(const Settlement& settlement, Time now) {
   PeerPath* const peer = paths_.find(settlement.peer);
   if (peer == nullptr) return;
-  if (!settlement.received) return peer->estimator.on_lost();
+  SentSample& sent = *settlement.sample;
+  if (!settlement.received) {
+    // At once the first time; then at growing intervals, as nobody may know of its arrival.
+    if (sent.whole && sent.under_way == 0 && sent.transmissions == 1) sent.repair_at = now;
+    return peer->estimator.on_lost();
+  }
   const Duration delay =
       peer->estimator.on_received({settlement.cost, settlement.sent, settlement.expected,
-                                   settlement.arrived, settlement.is_exact},
+                                   settlement.arrived, settlement.is_exact, settlement.burst},
                                   now);
-  SentSample& sent = *settlement.sample;
-  if (settlement.is_exact) counters_.on_delay(sent.traffic_class, delay);
+  if (settlement.is_exact && sent.piece.is_last()) counters_.on_delay(sent.traffic_class, delay);
   const auto place = std::find(sent.missing.begin(), sent.missing.end(), settlement.peer);
   if (place == sent.missing.end()) return;
   sent.missing.erase(place);
+  take_delivery(sent, settlement, delay);
+  const bool was_given_up = sent.fate == SentSample::Fate::lost && sent.missing.empty();
+  if (!was_given_up) return;
+  if (!sent.whole) return counters_.revoke_loss(sent);
+  if (revoke_loss(sent)) counters_.revoke_loss(*sent.whole);
+}
+
+void LinkSender::take_delivery(SentSample& sent, const Settlement& settlement, Duration delay) {
   sent.received = true;
+  if (sent.whole) sent.whole->arrives = true;
   sent.repaired = sent.repaired || settlement.sent != sent.first_sent;
   sent.late = sent.late || settlement.sent + delay - sent.offered > late_after;
-  const bool was_given_up = sent.fate == SentSample::Fate::lost && sent.missing.empty();
-  if (was_given_up) counters_.revoke_loss(sent);
 }
 
 void LinkSender::conclude(Time now) {
-  for (const SentSamplePtr& sent : retransmitter_.conclude(now)) counters_.conclude(*sent);
+  for (const SentSamplePtr& sent : retransmitter_.conclude(now)) {
+    if (!sent->whole) {
+      counters_.conclude(*sent);
+      continue;
+    }
+    if (!conclude_piece(*sent)) continue;
+    SentSample& whole = *sent->whole;
+    counters_.conclude(whole);
+    const auto stream = streams_.find(whole.stream);
+    if (whole.fate != SentSample::Fate::delivered || stream == streams_.end()) continue;
+    retransmitter_.end_older(whole, stream->second.rule.depth);
+  }
 }
 
 void LinkSender::add_backfill_stream(StreamId stream) {

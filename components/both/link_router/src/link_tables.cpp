@@ -51,10 +51,11 @@ std::optional<router::StreamId> LinkStreams::find(std::uint32_t wire_id) const {
 
 void LinkStreams::send(Time now) {
   while (const auto transmission = sender_.next(now)) {
-    const auto number = link_.send(transmission->stream, carried(transmission->sample));
+    const router::Sample& sample = transmission->sample;
+    const auto number = link_.send(transmission->stream, carried(sample), transmission->piece);
     if (!number) continue;
     sender_.on_written(*transmission, *number);
-    sent_bytes_.at(transmission->stream) += transmission->sample.bytes;
+    sent_bytes_.at(transmission->stream) += transmission->piece.size(sample.bytes);
   }
 }
 

@@ -11,16 +11,30 @@ namespace {
 /// Repairs that may follow each other at once.
 constexpr double burst_bytes = 4000;
 
+bool is_of_same_source(const SentSample& one, const SentSample& other) {
+  return one.stream == other.stream && one.sample.origin.source == other.sample.origin.source;
+}
+
+/// Nothing but a repair brings it.
+bool is_known_lost(const SentSample& sent) { return sent.whole && sent.under_way == 0; }
+
 }  // namespace
 
 void Retransmitter::supersede(const SentSample& newer, std::size_t depth) {
   for (const SentSamplePtr& older : open_) {
-    if (older->stream != newer.stream ||
-        older->sample.origin.source != newer.sample.origin.source) {
-      continue;
-    }
+    if (!is_of_same_source(*older, newer)) continue;
+    const std::size_t kept = older->whole ? depth + 1 : depth;
     // What is sent for a late peer is the newest one, or it is none.
-    older->superseded = ++older->newer >= (older->counted ? depth : 1);
+    older->superseded = ++older->newer >= (older->counted ? kept : 1);
+  }
+}
+
+void Retransmitter::end_older(const SentSample& delivered, std::size_t depth) {
+  for (const SentSamplePtr& older : open_) {
+    if (!older->whole || !is_of_same_source(*older, delivered)) continue;
+    if (older->sample.origin.sequence < delivered.sample.origin.sequence && older->newer >= depth) {
+      older->superseded = true;
+    }
   }
 }
 
@@ -84,9 +98,12 @@ double Retransmitter::allowance(Time now) const {
                   burst_bytes);
 }
 
-bool Retransmitter::can_repair(const SentSample& sent, Time now) {
+bool Retransmitter::can_repair(const SentSample& sent, Time now) const {
   if (sent.missing.empty() || sent.superseded || now > sent.expires) return false;
-  return !sent.counted || sent.is_repaired;
+  if (!sent.counted || sent.is_repaired) return true;
+  // Of a sample that nothing has arrived of, a fresh one is worth more.
+  return sent.whole && (sent.under_way > 0 || sent.whole->arrives) &&
+         sent.transmissions <= static_cast<unsigned>(params_.piece_repairs);
 }
 
 bool Retransmitter::may_repair(const SentSample& sent, Time now) const {
@@ -97,11 +114,19 @@ SentSamplePtr Retransmitter::due(TrafficClass traffic_class, Time now) const {
   if (open_.empty() || allowance(now) <= 0 || pacer_.repairs_open(now) > now) return nullptr;
   SentSamplePtr due;
   for (const SentSamplePtr& sent : open_) {
-    if (sent->traffic_class != traffic_class || sent->repair_at > now || !may_repair(*sent, now))
-      continue;
+    if (sent->whole || sent->traffic_class != traffic_class || sent->repair_at > now) continue;
+    if (!may_repair(*sent, now)) continue;
     if (!due || sent->repair_at < due->repair_at) due = sent;
   }
   return due;
+}
+
+SentSamplePtr Retransmitter::due_piece(TrafficClass traffic_class, Time now) const {
+  const auto due = std::find_if(open_.begin(), open_.end(), [&](const SentSamplePtr& sent) {
+    return is_known_lost(*sent) && sent->traffic_class == traffic_class && sent->repair_at <= now &&
+           may_repair(*sent, now);
+  });
+  return due == open_.end() ? nullptr : *due;
 }
 
 Time Retransmitter::deadline(Time now) const {
@@ -111,7 +136,12 @@ Time Retransmitter::deadline(Time now) const {
   for (const SentSamplePtr& sent : open_) {
     if (!can_repair(*sent, now)) continue;
     if (sent->expires != never) next = std::min(next, sent->expires + Duration{1});
-    if (may_repair(*sent, now)) next = std::min(next, std::max(sent->repair_at, from));
+    if (sent->whole) {
+      // One that is due waits for the pace of bulk.
+      if (is_known_lost(*sent) && sent->repair_at > now) next = std::min(next, sent->repair_at);
+    } else if (may_repair(*sent, now)) {
+      next = std::min(next, std::max(sent->repair_at, from));
+    }
   }
   return next;
 }

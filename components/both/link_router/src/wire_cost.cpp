@@ -26,6 +26,8 @@ constexpr std::size_t longest_message = 1400;  ///< without IP and UDP; the runt
 constexpr std::size_t largest_payload = longest_message - message_header - info_destination -
                                         info_timestamp - data_fragment_header - heartbeat -
                                         statistics - origin;
+constexpr std::size_t piece_header = 4;  ///< of a serialised sample, which a piece is
+static_assert(largest_piece + piece_header <= largest_payload);
 constexpr std::size_t around =
     ip_and_udp + message_header + info_destination + info_timestamp + origin;
 
@@ -33,7 +35,8 @@ constexpr std::size_t padded(std::size_t bytes) { return (bytes + 3) / 4 * 4; }
 
 }  // namespace
 
-std::vector<std::size_t> packets_of(std::size_t bytes) {
+std::vector<std::size_t> packets_of(std::size_t bytes, SamplePiece piece) {
+  if (!piece.is_whole()) return packets_of(piece.size(bytes) + piece_header);
   if (bytes <= largest_payload) return {around + data_header + padded(bytes)};
   std::vector<std::size_t> packets;
   for (std::size_t left = bytes; left > 0; left -= std::min(left, largest_payload)) {
@@ -42,8 +45,14 @@ std::vector<std::size_t> packets_of(std::size_t bytes) {
   return packets;
 }
 
-WireCost wire_cost(std::size_t bytes) {
-  const auto packets = packets_of(bytes);
+std::uint8_t count_pieces(std::size_t bytes, std::size_t largest) {
+  if (bytes <= largest_payload || largest == 0) return 1;
+  const std::size_t pieces = (bytes + largest - 1) / largest;
+  return pieces <= SamplePiece::most ? static_cast<std::uint8_t>(pieces) : 1;
+}
+
+WireCost wire_cost(std::size_t bytes, SamplePiece piece) {
+  const auto packets = packets_of(bytes, piece);
   return {packets.size(), std::accumulate(packets.begin(), packets.end(), std::size_t{0})};
 }
 

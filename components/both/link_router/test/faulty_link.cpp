@@ -34,6 +34,7 @@ void FaultyLink::add_stream(StreamId id, Duration period, Duration lifespan, std
   stream.rule.lifespan = lifespan;
   stream.rule.depth = depth;
   stream.period = period;
+  stream.bytes = id == 3 && chance(0.5) ? 5000 : 200;
   stream.next = now_ + below(100) * ms;
 }
 
@@ -113,6 +114,7 @@ void FaultyLink::forge_sample() {
   Transmission one;
   one.stream = id;
   const TransmissionNumber number = numbers[static_cast<std::size_t>(below(3))];
+  if (chance(0.3)) one.piece = {static_cast<std::uint8_t>(below(5)), 5};
   one.sample.origin = {source, sequences[static_cast<std::size_t>(below(4))],
                        now_ + clock_difference_ + ahead[static_cast<std::size_t>(below(5))]};
   for (int i = 1 + below(12); i > 0; --i) {
@@ -154,7 +156,8 @@ void FaultyLink::offer() {
     stream.next += stream.period;
     ++stream.sequence;
     if (!sender_runs()) continue;
-    sender_->offer(id, {{source, stream.sequence, now_ + clock_difference_}, 200, nullptr}, now_);
+    sender_->offer(id, {{source, stream.sequence, now_ + clock_difference_}, stream.bytes, nullptr},
+                   now_);
   }
 }
 
@@ -182,7 +185,9 @@ void FaultyLink::receive() {
 
 void FaultyLink::take(StreamId id, const OnAir& one) {
   const Origin& origin = one.what.sample.origin;
-  const auto disposition = receiver_->on_arrived(vehicle, {id, one.number, origin}, now_);
+  const Arrived arrived{id, one.number, origin, one.what.piece, nullptr};
+  if (!one.what.piece.is_whole() && !receiver_->on_piece(vehicle, arrived, now_)) return;
+  const auto disposition = receiver_->on_arrived(vehicle, arrived, now_);
   if (disposition != Disposition::deliver || !one.honest) return;
   ++deliveries_;
   Stream& stream = streams_[id];

@@ -33,6 +33,7 @@ class FaultyLink {
   struct Stream {
     StreamRule rule;
     Duration period;
+    std::size_t bytes = 200;
     Time next;
     std::uint64_t sequence = 0;
     std::set<std::uint64_t> delivered;  ///< since the receiver's start

@@ -76,7 +76,9 @@ class LinkPair {
   Time now = t0;
   LinkSender sender;
   LinkReceiver receiver;
-  bool dead = false;                   ///< nothing crosses
+  bool dead = false;  ///< nothing crosses
+  /// Of what is sent, what the radio loses.
+  std::function<bool(const Transmission&)> loses = [](const Transmission&) { return false; };
   bool acknowledgements_lost = false;  ///< of the way back only
   std::vector<Transmission> sent;
   std::map<StreamId, std::vector<std::uint64_t>> delivered;  ///< sequences
@@ -93,22 +95,27 @@ class LinkPair {
       sent.push_back(*one);
       const TransmissionNumber number = ++numbers_[one->stream];
       sender.on_written(*one, number);
-      const std::size_t packets = wire_cost(one->sample.bytes).packets;
-      drained_ = std::max(drained_, now) + (packets > 1 ? static_cast<int>(packets) * ms : 0 * ms);
-      if (!dead) air_.push_back({drained_ + 2 * ms, *one, number});
+      const std::size_t packets = wire_cost(one->sample.bytes, one->piece).packets;
+      const bool is_bulk = packets > 1 || !one->piece.is_whole();
+      drained_ = std::max(drained_, now) + (is_bulk ? static_cast<int>(packets) * ms : 0 * ms);
+      if (!dead && !loses(*one)) air_.push_back({drained_ + 2 * ms, *one, number});
     }
     if (sender.deadline(now) <= now) ADD_FAILURE() << "wants to be called without end";
   }
   void arrive() {
     while (!air_.empty() && air_.front().arrives <= now) {
       const auto& [arrives, one, number] = air_.front();
-      const Disposition disposition = receiver.on_arrived(
-          "vehicle", {one.stream, number, one.sample.origin}, now + clock_difference);
-      if (disposition == Disposition::deliver) {
-        delivered[one.stream].push_back(one.sample.origin.sequence);
+      const Arrived arrived{one.stream, number, one.sample.origin, one.piece, nullptr};
+      if (one.piece.is_whole() || receiver.on_piece("vehicle", arrived, now + clock_difference)) {
+        give(arrived);
       }
       air_.pop_front();
     }
+  }
+  void give(const Arrived& arrived) {
+    const Disposition disposition = receiver.on_arrived("vehicle", arrived, now + clock_difference);
+    if (disposition != Disposition::deliver) return;
+    delivered[arrived.stream].push_back(arrived.origin.sequence);
   }
   std::map<StreamId, TransmissionNumber> numbers_;
   std::deque<OnAir> air_;

@@ -72,6 +72,63 @@ TEST_F(LinkReceiverTest, GetsOverAStepOfThePeersClock) {
   EXPECT_EQ(arrive(40, 40, -std::chrono::minutes(10)), Disposition::deliver) << "and one back";
 }
 
+class LinkReceiverPieces : public LinkReceiverTest {
+ protected:
+  using Contents = std::vector<int>;
+  /// One has come. The contents of its sample, when it is the last that was missing.
+  Contents piece(TransmissionNumber number, std::uint64_t sequence, std::uint8_t index,
+                 std::uint8_t count = 3) {
+    const Origin origin{7, sequence, now - 2 * ms};
+    const auto content = std::make_shared<int>(index + 10 * static_cast<int>(sequence));
+    const auto pieces =
+        sut.on_piece("vehicle", {location, number, origin, {index, count}, content}, now);
+    Contents contents;
+    for (const auto& one : pieces.value_or(std::vector<std::shared_ptr<const void>>{})) {
+      contents.push_back(*static_cast<const int*>(one.get()));
+    }
+    return contents;
+  }
+};
+
+TEST_F(LinkReceiverPieces, MakeTheSampleInWhateverOrderTheyCome) {
+  EXPECT_EQ(piece(1, 1, 2), Contents{});
+  EXPECT_EQ(piece(2, 1, 0), Contents{});
+  EXPECT_EQ(piece(3, 1, 0), Contents{}) << "doubled";
+  EXPECT_EQ(piece(4, 2, 1), Contents{}) << "of another sample";
+  EXPECT_EQ(piece(5, 1, 1), (Contents{10, 11, 12}));
+}
+
+TEST_F(LinkReceiverPieces, AreAcknowledgedEachByItself) {
+  (void)piece(3, 1, 0);
+  (void)piece(5, 1, 2);
+  const LinkAcknowledgement acknowledgement = next_acknowledgement();
+  ASSERT_EQ(acknowledgement.streams.size(), 1U);
+  EXPECT_EQ(acknowledgement.streams[0].highest, 5U);
+  EXPECT_EQ(acknowledgement.streams[0].before, 0b10U);
+}
+
+TEST_F(LinkReceiverPieces, OfAnotherNumberOfPiecesAreAnotherSample) {
+  (void)piece(1, 1, 0);
+  (void)piece(2, 1, 1);
+  EXPECT_EQ(piece(3, 1, 2, 4), Contents{}) << "a forger's";
+  EXPECT_EQ(piece(4, 1, 2).size(), 3U);
+}
+
+TEST_F(LinkReceiverPieces, OfManyUnfinishedSamplesTheOldestIsForgotten) {
+  for (std::uint64_t sequence = 1; sequence <= 9; ++sequence) (void)piece(sequence, sequence, 0);
+  (void)piece(10, 1, 1);
+  EXPECT_EQ(piece(11, 1, 2), Contents{});
+  (void)piece(12, 9, 1);
+  EXPECT_EQ(piece(13, 9, 2).size(), 3U);
+}
+
+TEST_F(LinkReceiverPieces, OfAnUnknownPeerOrStreamAreNothing) {
+  const Arrived of_no_stream{location + 1, 1, {7, 1, now}, {0, 2}, nullptr};
+  EXPECT_FALSE(sut.on_piece("vehicle", of_no_stream, now));
+  const Arrived of_nobody{location, 1, {7, 1, now}, {0, 2}, nullptr};
+  EXPECT_FALSE(sut.on_piece("stranger", of_nobody, now));
+}
+
 TEST_F(LinkReceiverTest, AcknowledgementNamesWhatWasReceived) {
   (void)arrive(3, 1);
   (void)arrive(4, 2);

@@ -36,6 +36,22 @@ TEST_F(LinkRouterTest, AClassLimitsRateLifespanAndDepthOfAForeignTopic) {
   EXPECT_NEAR(static_cast<double>(script_.sent_on(on_link)), 10, 1);
 }
 
+TEST_F(LinkRouterTest, ALargeSampleGoesInPiecesThatThePeersRouterPutsTogether) {
+  const FlowId on_link = begin("heartbeat");
+  write(1, host_flow, 2500);
+  ASSERT_EQ(script_.sent_on(on_link), 3U);
+  EXPECT_EQ(script_.sent.back().piece, (SamplePiece{2, 3}));
+  meet();
+  begin_peer_flow("goal");
+  receive(1, 10, {1, 3});
+  receive(2, 10, {0, 3});
+  EXPECT_TRUE(script_.delivered.empty());
+  receive(3, 10, {2, 3});
+  ASSERT_EQ(script_.delivered.size(), 1U);
+  EXPECT_EQ(script_.delivered[0].sample.bytes, 300U);
+  EXPECT_EQ(script_.delivered[0].sample.sequence, 10U);
+}
+
 TEST_F(LinkRouterTest, AFlowThatHasLeftIsClosed) {
   const FlowId on_link = begin("heartbeat");
   script_.happen(link_event::HostFlowGone{host_flow});

@@ -106,14 +106,15 @@ class RadioPair {
   void put(const Transmission& one) {
     const TransmissionNumber number = ++streams_[one.stream].written;
     sender.on_written(one, number);
-    const WireCost cost = wire_cost(one.sample.bytes);
-    push(radio::Direction::uplink, cost, [this, one, number](Time at) {
-      const Origin& origin = one.sample.origin;
-      if (receiver.on_arrived("vehicle", {one.stream, number, origin}, at) ==
-          Disposition::deliver) {
-        streams_[one.stream].samples[origin.sequence - 1].second = at;
-      }
+    const WireCost cost = wire_cost(one.sample.bytes, one.piece);
+    const Arrived arrived{one.stream, number, one.sample.origin, one.piece, nullptr};
+    push(radio::Direction::uplink, cost, [this, arrived](Time at) {
+      if (arrived.piece.is_whole() || receiver.on_piece("vehicle", arrived, at)) give(arrived, at);
     });
+  }
+  void give(const Arrived& arrived, Time at) {
+    if (receiver.on_arrived("vehicle", arrived, at) != Disposition::deliver) return;
+    streams_[arrived.stream].samples[arrived.origin.sequence - 1].second = at;
   }
   void put(const LinkAcknowledgement& acknowledgement) {
     push(radio::Direction::downlink, wire_cost(28 + 18 * acknowledgement.streams.size()),

@@ -134,7 +134,8 @@ class RandomLink {
     auto& sent = first_sent_[{one.stream, one.sample.origin.source}];
     const auto newer = std::distance(sent.upper_bound(one.sample.origin.sequence), sent.end());
     if (sent.count(one.sample.origin.sequence) != 0) {
-      EXPECT_LT(newer, static_cast<std::ptrdiff_t>(rule.depth)) << "a superseded repair";
+      const std::size_t kept = one.piece.is_whole() ? rule.depth : rule.depth + 1;
+      EXPECT_LT(newer, static_cast<std::ptrdiff_t>(kept)) << "a superseded repair";
       return;
     }
     sent.insert(one.sample.origin.sequence);
@@ -150,8 +151,9 @@ class RandomLink {
     for (; !air_.empty() && air_.begin()->first <= now_; air_.erase(air_.begin())) {
       const auto& [one, number] = air_.begin()->second;
       const Origin& origin = one.sample.origin;
-      const Disposition disposition =
-          receiver_->on_arrived("vehicle", {one.stream, number, origin}, now_);
+      const Arrived arrived{one.stream, number, origin, one.piece, nullptr};
+      if (!one.piece.is_whole() && !receiver_->on_piece("vehicle", arrived, now_)) continue;
+      const Disposition disposition = receiver_->on_arrived("vehicle", arrived, now_);
       if (disposition != Disposition::deliver) continue;
       ++deliveries_;
       const StreamRule& rule = rules_[one.stream];

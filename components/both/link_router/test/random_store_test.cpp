@@ -213,7 +213,9 @@ class RandomStore {
     for (; !air_.empty() && air_.begin()->first <= now_; air_.erase(air_.begin())) {
       const auto& [one, number, batch] = air_.begin()->second;
       const Origin& origin = one.sample.origin;
-      const auto disposition = receiver_->on_arrived("vehicle", {one.stream, number, origin}, now_);
+      const Arrived arrived{one.stream, number, origin, one.piece, nullptr};
+      if (!one.piece.is_whole() && !receiver_->on_piece("vehicle", arrived, now_)) continue;
+      const auto disposition = receiver_->on_arrived("vehicle", arrived, now_);
       if (one.stream == backfill_stream) {
         take(batch);
       } else if (disposition == Disposition::deliver) {

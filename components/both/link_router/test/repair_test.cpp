@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is sent again, when, and how often.
+#include <set>
+
 #include "link_pair.hpp"
 
 namespace tocsin::router {
@@ -104,8 +106,10 @@ TEST(Repair, ADeadLinkGetsOnlyWhatCouldFindItAlive) {
     link.run(125 * ms);
   }
   EXPECT_EQ(link.sender.state(link.now).silent_peers, 1U);
-  EXPECT_LE(link.sent.size() - before, 26U) << "10 s: about two a second";
-  EXPECT_GE(link.sent.size() - before, 15U);
+  std::set<Time> probes;  // pictures, or pieces of them
+  for (std::size_t i = before; i < link.sent.size(); ++i) probes.insert(link.sent[i].record.sent);
+  EXPECT_LE(probes.size(), 26U) << "10 s: about two a second";
+  EXPECT_GE(probes.size(), 15U);
 }
 
 TEST(Repair, LateIsCountedFromTheOffer) {

@@ -30,6 +30,7 @@ class ScriptedLink {
   struct Sent {
     FlowId flow;
     CarriedSample sample;
+    SamplePiece piece{};
   };
   struct Delivered {
     FlowId flow;
@@ -93,11 +94,19 @@ class ScriptedLinkBus final : public LinkBus {
   }
   [[nodiscard]] std::uint32_t wire_id(FlowId flow) const override { return 1000 + flow; }
   void close(FlowId flow) override { script_.opened[flow].closed = true; }
-  [[nodiscard]] std::optional<std::uint64_t> send(FlowId flow,
-                                                  const CarriedSample& sample) override {
+  [[nodiscard]] std::optional<std::uint64_t> send(FlowId flow, const CarriedSample& sample,
+                                                  SamplePiece piece) override {
     if (!script_.is_up) return std::nullopt;
-    script_.sent.push_back({flow, sample});
+    script_.sent.push_back({flow, sample, piece});
     return ++numbers_[flow];
+  }
+  [[nodiscard]] std::size_t largest_piece() const override { return 1000; }
+  [[nodiscard]] CarriedSample join(
+      const CarriedSample& last,
+      const std::vector<std::shared_ptr<const void>>& pieces) const override {
+    CarriedSample whole = last;
+    whole.bytes = static_cast<std::uint32_t>(last.bytes * pieces.size());
+    return whole;
   }
   void offer(FlowId flow) override {
     script_.offered.push_back(flow);

@@ -68,9 +68,10 @@ void RadioForger::send_again(SimLinkBus& victim, PeerId peer) {
     const std::array<std::uint64_t, 4> numbers{what.number, what.number + 5, 1, 1ULL << 40U};
     const std::array<Duration, 4> ahead{Duration::zero(), std::chrono::milliseconds(400),
                                         std::chrono::hours(1), -std::chrono::hours(1)};
-    CarriedSample sample = what.sample;
-    sample.sent_wall_ns += ahead[random_() % ahead.size()].count();
-    return victim.on_arrived(peer, what.flow, numbers[random_() % numbers.size()], sample);
+    Overheard forged = what;
+    forged.sample.sent_wall_ns += ahead[random_() % ahead.size()].count();
+    forged.number = numbers[random_() % numbers.size()];
+    return victim.on_arrived(forged);
   }
 }
 

@@ -33,6 +33,7 @@ struct Overheard {
   FlowId flow = 0;  ///< 0: the stop's value alone
   std::uint64_t number = 0;
   CarriedSample sample;
+  SamplePiece piece;
   std::shared_ptr<const StopValue> stop;  ///< null: it was no part of this
 };
 

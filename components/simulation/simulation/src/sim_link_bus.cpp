@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "link_router/wire_cost.hpp"
 #include "runtime/middleware/link_permissions.hpp"
 #include "stop_bytes.hpp"
 
@@ -34,7 +33,7 @@ class Transmission final : public Cargo {
     SimLinkBus* const to = network_.find_router(to_);
     if (to == nullptr) return;
     to->on_packet(what_.from, what_.stop);
-    to->on_arrived(what_.from, what_.flow, what_.number, what_.sample);
+    to->on_arrived(what_);
   }
   [[nodiscard]] bool waits_after(std::size_t packet) const override {
     return left_ > 1 || !missing_[packet];
@@ -222,21 +221,23 @@ void SimLinkBus::close(FlowId flow) {
   }
 }
 
-std::optional<std::uint64_t> SimLinkBus::send(FlowId flow, const CarriedSample& sample) {
+std::optional<std::uint64_t> SimLinkBus::send(FlowId flow, const CarriedSample& sample,
+                                              SamplePiece piece) {
   const auto found = sending_.find(flow);
   if (found == sending_.end()) return std::nullopt;
   Sending& sending = found->second;
   const std::uint64_t number = ++sending.last;
   const Freight& cargo = freight(sample);
+  const std::size_t bytes_sent = piece.size(sample.bytes);
   if (network_.core.observer != nullptr && cargo.from != nullptr) {
     network_.core.observer->on_sent(
-        {*cargo.from, network_.core.now, number, cargo.written, sample.bytes});
+        {*cargo.from, network_.core.now, number, cargo.written, bytes_sent});
   }
-  const auto packets = router::packets_of(sample.bytes);
+  const auto packets = router::packets_of(sample.bytes, piece);
   const std::uint8_t dscp = host_.rules().dscp(sending.traffic_class);
   const auto stop = packets.size() == 1 ? rider() : nullptr;
   if (stop) stop_sent_ = network_.core.now;
-  const Overheard what{life_, flow, number, sample, stop};
+  const Overheard what{life_, flow, number, sample, piece, stop};
   if (network_.on_air) network_.on_air(what);
   for (const auto& peer : peers_) {
     const auto transmission =
@@ -252,11 +253,11 @@ std::optional<std::uint64_t> SimLinkBus::send(FlowId flow, const CarriedSample& 
   return number;
 }
 
-void SimLinkBus::on_arrived(PeerId peer, FlowId flow, std::uint64_t number,
-                            const CarriedSample& sample) {
-  const auto found = peer_flows_.find({peer, flow});
+void SimLinkBus::on_arrived(const Overheard& what) {
+  const auto found = peer_flows_.find({what.from, what.flow});
   if (found == peer_flows_.end() || process_.is_frozen()) return;
-  push(link_event::LinkSample{found->second, number, sample, network_.core.now});
+  push(link_event::LinkSample{found->second, what.number, what.sample, network_.core.now,
+                              what.piece});
 }
 
 void SimLinkBus::offer(FlowId peer_flow) { push(link_event::HostReaderMatched{peer_flow}); }

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "link_router/wire_cost.hpp"
 #include "runtime/middleware/link_bus.hpp"
 #include "sim_host.hpp"
 
@@ -42,8 +43,15 @@ class SimLinkBus final : public LinkBus {
   FlowId open(const Flow& flow, TrafficClass traffic_class) override;
   [[nodiscard]] std::uint32_t wire_id(FlowId flow) const override { return flow; }
   void close(FlowId flow) override;
-  [[nodiscard]] std::optional<std::uint64_t> send(FlowId flow,
-                                                  const CarriedSample& sample) override;
+  [[nodiscard]] std::optional<std::uint64_t> send(FlowId flow, const CarriedSample& sample,
+                                                  SamplePiece piece) override;
+  [[nodiscard]] std::size_t largest_piece() const override { return router::largest_piece; }
+  /// A piece is the whole sample, which counts when all are there.
+  [[nodiscard]] CarriedSample join(
+      const CarriedSample& last,
+      const std::vector<std::shared_ptr<const void>>& /*pieces*/) const override {
+    return last;
+  }
   void offer(FlowId peer_flow) override;
   FlowId offer(const Flow& flow) override;
   void deliver(FlowId flow, const CarriedSample& sample) override;
@@ -66,8 +74,8 @@ class SimLinkBus final : public LinkBus {
   void on_written(const SimProcess::Topic& topic, const Sample& sample);
   /// A component of this host has begun or ended to read: what crosses on demand may follow.
   void on_readers(const std::string& topic);
-  /// A transmission of that life of a peer has come.
-  void on_arrived(PeerId peer, FlowId flow, std::uint64_t number, const CarriedSample& sample);
+  /// A transmission of a peer has come.
+  void on_arrived(const Overheard& what);
   /// A packet of that life of a peer has come; null: nothing rode in it.
   void on_packet(PeerId peer, const std::shared_ptr<const StopValue>& rider);
 

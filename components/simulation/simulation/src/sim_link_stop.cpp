@@ -46,7 +46,7 @@ void SimLinkBus::say_stop(const StopValue& value) {
 void SimLinkBus::send_stop(Duration period) {
   const auto stop = rider();
   if (!stop || process_.is_frozen() || network_.core.now - stop_sent_ < period) return;
-  if (network_.on_air) network_.on_air({life_, 0, 0, {}, stop});
+  if (network_.on_air) network_.on_air({life_, 0, 0, {}, {}, stop});
   const std::size_t bytes = ip_udp_rtps_bytes + stop_bytes(*stop);
   for (const auto& entry : network_.routers) {
     if (entry.second == this) continue;

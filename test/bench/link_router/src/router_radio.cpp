@@ -50,7 +50,7 @@ void RouterRadio::send(Cargo cargo, const std::vector<std::size_t>& packets, Tim
 }
 
 void RouterRadio::send(std::size_t side, const router::Transmission& one, Time now) {
-  const auto packets = router::packets_of(one.sample.bytes);
+  const auto packets = router::packets_of(one.sample.bytes, one.piece);
   if (one.repair) ++repairs_;
   const router::TransmissionNumber number = ++numbers_[side][one.stream];
   senders_[side]->on_written(one, number);
@@ -102,9 +102,10 @@ void RouterRadio::arrive(const Cargo& cargo, Time now, const Deliver& deliver) {
     return;
   }
   const auto& one = std::get<router::Transmission>(cargo.what);
-  const auto disposition =
-      receivers_[cargo.to]->on_arrived(peer, {one.stream, cargo.number, one.sample.origin}, now);
-  if (disposition == router::Disposition::deliver) {
+  router::LinkReceiver& receiver = *receivers_[cargo.to];
+  const router::Arrived arrived{one.stream, cargo.number, one.sample.origin, one.piece, nullptr};
+  if (!one.piece.is_whole() && !receiver.on_piece(peer, arrived, now)) return;
+  if (receiver.on_arrived(peer, arrived, now) == router::Disposition::deliver) {
     deliver(cargo.to, one.stream, one.sample.origin, now);
   }
 }

@@ -40,6 +40,15 @@ struct SentSample {
   bool received = false;  ///< to a peer at least
   bool counted = true;    ///< false: sent before already, this is for a peer that was late
   Fate fate = Fate::open;
+
+  SamplePiece piece{};                ///< of the sample, which `cost` is for
+  std::shared_ptr<SentSample> whole;  ///< what became of all pieces; null: this is no piece
+  std::uint64_t burst = 0;            ///< pieces that were first sent together
+  WireCost burst_cost;                ///< of those of the burst up to this one
+  unsigned open_pieces = 0;           ///< of a whole: whose fate is open
+  unsigned lost_pieces = 0;           ///< of a whole
+  unsigned received_pieces = 0;       ///< of a whole
+  bool arrives = false;               ///< of a whole: a piece was received
 };
 using SentSamplePtr = std::shared_ptr<SentSample>;
 
@@ -48,6 +57,8 @@ struct Settlement {
   PeerIndex peer = 0;
   bool received = false;
   WireCost cost;
+  std::uint64_t burst = 0;
+  std::uint64_t order = 0;
   Time sent{};
   Time expected{};
   Time arrived{};         ///< by the peer's clock
@@ -74,9 +85,11 @@ class DeliveryLog {
   struct Record {
     TransmissionNumber number = 0;
     Time sent{};
-    WireCost cost;
+    WireCost cost;            ///< of a piece in a burst, with those before it
+    std::uint64_t burst = 0;  ///< 0: it was sent alone
     SentSamplePtr sample;
     std::vector<Copy> copies;
+    std::uint64_t order = 0;  ///< given by add()
   };
   /// Numbers of a stream rise.
   void add(Record record);
@@ -89,7 +102,10 @@ class DeliveryLog {
   [[nodiscard]] std::vector<Settlement> give_up_overdue(Time now);
   /// When give_up_overdue() has something; `never` when nothing is under way.
   [[nodiscard]] Time next_overdue() const;
-  /// Samples of at least so many packets that the peer has not acknowledged yet.
+  /// Whether anything is under way to the peer.
+  [[nodiscard]] bool is_under_way(PeerIndex peer) const;
+  /// Samples of at least so many packets that the peer has not acknowledged yet; of pieces the last
+  /// one counts.
   [[nodiscard]] std::size_t count_under_way(PeerIndex peer, std::size_t packets) const;
 
  private:
@@ -106,6 +122,7 @@ class DeliveryLog {
   void drop_settled();
 
   Duration patience_;
+  std::uint64_t last_order_ = 0;
   std::map<StreamId, Records> streams_;
   std::vector<RecordPtr> under_way_;  ///< those with copies that are not settled, by time
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "link_router/link_constants.hpp"
@@ -32,7 +33,8 @@ class WindowedMinimum {
 /// comes corrects it. Capacity is learned from bulk alone (a sample of many packets, which the
 /// radio sends one after the other): its bytes over the time from its turn to its arrival, where
 /// its turn is its sending or the arrival of the bulk before it, whichever is later. A shrinking
-/// capacity is believed faster than a growing one. Delays are over the least one in the clock
+/// capacity is believed faster than a growing one. Bulk in pieces is one measurement, which each
+/// exact arrival of a later piece makes better. Delays are over the least one in the clock
 /// window, so that the clocks need not agree, and a step of a clock is forgotten with the window.
 /// Pure; `now` never decreases.
 class LinkEstimator {
@@ -44,9 +46,10 @@ class LinkEstimator {
   struct Received {
     WireCost cost;
     Time sent{};
-    Time expected{};       ///< what on_sent() returned
-    Time arrived{};        ///< by the peer's clock
-    bool is_exact = true;  ///< else it arrived then or before: nothing is learned of times
+    Time expected{};          ///< what on_sent() returned
+    Time arrived{};           ///< by the peer's clock
+    bool is_exact = true;     ///< else it arrived then or before: nothing is learned of times
+    std::uint64_t burst = 0;  ///< not 0: `cost` is of the pieces that left together, up to this one
   };
   /// Returns its delay over the least one, at least zero.
   Duration on_received(const Received& received, Time now);
@@ -81,9 +84,16 @@ class LinkEstimator {
   bool is_capacity_measured_ = false;
   bool measured_ = false;  ///< the capacity, since the last start_over()
   double loss_ = 0;
-  double delay_s_ = 0;                 ///< smoothed, RFC 6298
-  double deviation_s_ = 0;             ///< smoothed
-  Time drained_{};                     ///< when the model's queue is empty
+  double delay_s_ = 0;      ///< smoothed, RFC 6298
+  double deviation_s_ = 0;  ///< smoothed
+  Time drained_{};          ///< when the model's queue is empty
+  struct Measurement {
+    std::uint64_t burst = 0;
+    Time turn{};                    ///< of its bulk in the radio
+    double before_bytes_per_s = 0;  ///< the capacity as it was believed before
+    Duration behind{0};             ///< the model's queue, as far as that is mended
+  };
+  Measurement last_{};
   Time bulk_arrived_{};                ///< by our clock, as if the least delay were zero
   std::optional<Time> waiting_since_;  ///< something sent since then, nothing acknowledged
   int unanswered_ = 0;                 ///< transmissions since the last that was acknowledged

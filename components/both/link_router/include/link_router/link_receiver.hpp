@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <list>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -21,6 +23,8 @@ struct Arrived {
   StreamId stream = 0;
   TransmissionNumber number = 0;  ///< of the link writer
   Origin origin;
+  SamplePiece piece{};                    ///< of the sample
+  std::shared_ptr<const void> content{};  ///< of a piece: the caller's
 };
 
 /// What to do with it.
@@ -50,6 +54,11 @@ class LinkReceiver {
   void forget_stream(const std::string& peer, StreamId stream);
 
   [[nodiscard]] Disposition on_arrived(const std::string& peer, const Arrived& arrived, Time now);
+  /// A piece. When all pieces of its sample are there, their contents in order: then the sample has
+  /// arrived, with this transmission, and is for on_arrived(). Of a stream, 8 samples are put
+  /// together at once; then the oldest goes.
+  [[nodiscard]] std::optional<std::vector<std::shared_ptr<const void>>> on_piece(
+      const std::string& peer, const Arrived& arrived, Time now);
 
   /// There is something to report to the peer besides.
   void ask_for_acknowledgement(const std::string& peer, Time now);
@@ -63,6 +72,13 @@ class LinkReceiver {
   [[nodiscard]] Time deadline() const;
 
  private:
+  /// A sample of which pieces are missing.
+  struct Partial {
+    SourceId source = 0;
+    std::uint64_t sequence = 0;
+    std::vector<bool> there;
+    std::vector<std::shared_ptr<const void>> pieces;
+  };
   struct Stream {
     StreamRule rule;
     TransmissionNumber highest = 0;  ///< 0: nothing yet
@@ -71,6 +87,7 @@ class LinkReceiver {
     Time noted{};                    ///< arrival of any
     /// Highest of the numbers far below that were received since then, and no other.
     std::optional<std::pair<TransmissionNumber, Time>> low;
+    std::list<Partial> partial;  ///< the oldest first
   };
   struct Peer {
     std::optional<InstanceId> instance;  ///< empty: it is gone
@@ -81,6 +98,8 @@ class LinkReceiver {
     std::optional<Time> acknowledgement_sent;
     Time acknowledgement_due = Time::min();
   };
+  [[nodiscard]] static std::list<Partial>::iterator partial_of(Stream& stream,
+                                                               const Arrived& arrived);
   static void note(Stream& stream, TransmissionNumber number, Time now);
   /// Whether a number far below the highest ends what is remembered of the stream's numbers.
   [[nodiscard]] static bool is_contrary(Stream& stream, TransmissionNumber number, Time now);

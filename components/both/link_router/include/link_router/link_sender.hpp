@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <deque>
 #include <map>
 #include <optional>
 #include <string>
@@ -25,17 +28,18 @@ namespace tocsin::router {
 struct Transmission {
   StreamId stream = 0;
   Sample sample;
+  SamplePiece piece{};           ///< of the sample
   bool repair = false;           ///< it was sent before
   DeliveryLog::Record record{};  ///< for on_written(); without its number
 };
 
 /// Decides what the router puts on the link, and when.
 ///
-/// Order: strictly by class; in a class new samples before repairs; no sample is sent that is older
-/// than its lifespan, none again that a newer one of its source has followed. The queue
-/// (LinkQueue), the pause (LinkGate), the pace (LinkPacer), the repairs (Retransmitter), the
-/// budgets (LinkAdaptation) and the counters (LinkCounters) are its parts. Peers are known by name;
-/// a new instance of one starts afresh.
+/// Order: strictly by class; in a class repairs of pieces, new samples, other repairs; no sample is
+/// sent that is older than its lifespan, none again that a newer one of its source has followed.
+/// The queue (LinkQueue), the pause (LinkGate), the pace (LinkPacer), the repairs (Retransmitter),
+/// the budgets (LinkAdaptation) and the counters (LinkCounters) are its parts. Peers are known by
+/// name; a new instance of one starts afresh.
 ///
 ///     sender.offer(stream, sample, now);      // for each sample of the host
 ///     while (auto one = sender.next(now)) {   // after each call, and at deadline()
@@ -46,8 +50,9 @@ struct Transmission {
 /// Pure; `now` never decreases.
 class LinkSender {
  public:
-  /// Throws ConfigError for parameters that do not fit each other.
-  explicit LinkSender(const LinkRouterParams& params);
+  /// A sample that does not fit a packet goes in pieces of at most `largest` bytes. Throws
+  /// ConfigError for parameters that do not fit each other.
+  explicit LinkSender(const LinkRouterParams& params, std::size_t largest = largest_piece);
   LinkSender(const LinkSender&) = delete;
   LinkSender& operator=(const LinkSender&) = delete;
 
@@ -127,10 +132,13 @@ class LinkSender {
   void hold(const StreamRule& rule, const Waiting& waiting);
   void drop(const std::vector<Dropped>& dropped);
   [[nodiscard]] Transmission send_first(const Waiting& waiting, Time now);
+  [[nodiscard]] std::optional<Transmission> next_of(TrafficClass traffic_class, Time now);
+  [[nodiscard]] bool has_due_piece(Time now) const;
   [[nodiscard]] SentSamplePtr make_sent(const Waiting& waiting);
   [[nodiscard]] Transmission transmit(const SentSamplePtr& sent, Time now);
   void apply(const std::vector<Settlement>& settlements, Time now);
   void apply(const Settlement& settlement, Time now);
+  static void take_delivery(SentSample& sent, const Settlement& settlement, Duration delay);
   void conclude(Time now);
 
   const LinkRouterParams params_;
@@ -143,6 +151,9 @@ class LinkSender {
   Retransmitter retransmitter_;
   LinkAdaptation adaptation_;
   LinkCounters counters_;
+  const std::size_t largest_piece_;
+  std::deque<SentSamplePtr> burst_;  ///< the pieces of a sample that are still to be sent, at once
+  std::uint64_t bursts_ = 0;
 };
 
 }  // namespace tocsin::router

@@ -17,7 +17,12 @@ namespace tocsin::router {
 
 /// The samples whose fate is open, and when one of them is sent again: at growing intervals, within
 /// its lifespan, never when as many newer ones of its source were sent as the stream keeps, and
-/// together within a share of the capacity (a token bucket). Pure; `now` never decreases.
+/// together within a share of the capacity (a token bucket).
+///
+/// A piece of a sample is sent again when it is known to be lost, before newer samples, at the pace
+/// of bulk. Where the class is not repaired that happens `piece_repairs` times at most, and when
+/// something of the sample has arrived. One newer sample of
+/// its source does not end it, unless that was delivered. Pure; `now` never decreases.
 class Retransmitter {
  public:
   /// The references outlive it.
@@ -29,6 +34,8 @@ class Retransmitter {
   void add(const SentSamplePtr& sent) { open_.push_back(sent); }
   /// A newer sample of its source is sent for the first time; its stream keeps `depth`.
   void supersede(const SentSample& newer, std::size_t depth);
+  /// A sample was delivered: pieces of older ones that it makes worthless are not wanted any more.
+  void end_older(const SentSample& delivered, std::size_t depth);
   /// The peer does not want them any more; of one stream, or of all.
   void forget_reader(PeerIndex peer, std::optional<StreamId> stream);
   /// Ends those of a stream; they are open until conclude(). Returns them.
@@ -42,15 +49,19 @@ class Retransmitter {
   void schedule(SentSample& sent, Duration expected, Time now) const;
   /// That was a repair of so many bytes.
   void spend(std::size_t bytes, Time now);
-  /// The repair of the class that is due first; null when none may go.
+  /// That was the repair of a piece.
+  void note_piece(std::size_t bytes, Time now) { rate_.add(bytes, now); }
+  /// The repair of the class that is due first, of a whole sample; null when none may go.
   [[nodiscard]] SentSamplePtr due(TrafficClass traffic_class, Time now) const;
-  /// When due() has something, or a sample expires; `never` when neither.
+  /// The first piece of the class that is to be sent again; null when there is none.
+  [[nodiscard]] SentSamplePtr due_piece(TrafficClass traffic_class, Time now) const;
+  /// When due() has something, or due_piece(), or a sample expires; `never` when neither.
   [[nodiscard]] Time deadline(Time now) const;
   /// [0, 1] of the capacity, recently spent on repairs.
   [[nodiscard]] double share(Time now) const;
 
  private:
-  [[nodiscard]] static bool can_repair(const SentSample& sent, Time now);
+  [[nodiscard]] bool can_repair(const SentSample& sent, Time now) const;
   [[nodiscard]] bool may_repair(const SentSample& sent, Time now) const;
   [[nodiscard]] double allowance(Time now) const;
   [[nodiscard]] Time ready(Time now) const;

@@ -128,7 +128,7 @@ void BackfillOutgoing::send(Time now) {
     const CarriedSample sample = packed(*batch);
     const auto transmission =
         out.backfill(*flow_, {{0, sample.sequence, now}, sample.bytes, sample.content}, now);
-    if (const auto number = parts_.link.send(*flow_, sample)) {
+    if (const auto number = parts_.link.send(*flow_, sample, {})) {
       out.on_written(transmission, *number);
     }
   }

@@ -42,8 +42,12 @@ class FastDdsLinkBus final : public LinkBus {
   FlowId open(const Flow& flow, TrafficClass traffic_class) override;
   [[nodiscard]] std::uint32_t wire_id(FlowId flow) const override;
   void close(FlowId flow) override;
-  [[nodiscard]] std::optional<std::uint64_t> send(FlowId flow,
-                                                  const CarriedSample& sample) override;
+  [[nodiscard]] std::optional<std::uint64_t> send(FlowId flow, const CarriedSample& sample,
+                                                  SamplePiece piece) override;
+  [[nodiscard]] std::size_t largest_piece() const override;
+  [[nodiscard]] CarriedSample join(
+      const CarriedSample& last,
+      const std::vector<std::shared_ptr<const void>>& pieces) const override;
   void offer(FlowId peer_flow) override;
   FlowId offer(const Flow& flow) override;
   void deliver(FlowId flow, const CarriedSample& sample) override;

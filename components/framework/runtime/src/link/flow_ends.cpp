@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "graph/ros_graph.hpp"
-#include "idl_support/raw_type.hpp"
+#include "link/encoded_piece.hpp"
 #include "rtps/origin.hpp"
 #include "runtime/middleware/link_bus.hpp"
 #include "transport/socket_wait.hpp"
@@ -40,6 +40,7 @@ TakenSample taken(IncomingSample& incoming, const dds::SampleInfo& info) {
   result.sample.bytes = incoming.bytes;
   result.sample.source = origin ? origin->source : source_of(result.writer);
   result.sample.sequence = origin ? origin->sequence : result.number;
+  if (origin) result.piece = origin->piece;
   result.sample.sent_wall_ns = info.source_timestamp.to_ns();
   result.waited = waited_in_socket();
   return result;
@@ -92,9 +93,12 @@ void FlowWriter::belong(LocalNodes& nodes, const std::string& node) {
   node_end_.emplace(nodes, node, LocalNodes::End::writer, gid_of(writer_->guid()));
 }
 
-std::optional<std::uint64_t> FlowWriter::write(const CarriedSample& sample) {
-  OutgoingSample outgoing(sample.content.get());
-  rtps::WriteParams params = on_behalf_of({sample.source, sample.sequence}, sample.sent_wall_ns);
+std::optional<std::uint64_t> FlowWriter::write(const CarriedSample& sample, SamplePiece piece) {
+  EncodedMessage part;
+  if (!piece.is_whole()) part = cut_out(content_of(sample), piece);
+  OutgoingSample outgoing(piece.is_whole() ? sample.content.get() : &part);
+  rtps::WriteParams params =
+      on_behalf_of({sample.source, sample.sequence, piece}, sample.sent_wall_ns);
   if (!writer_->write(static_cast<CarriedMessage*>(&outgoing), params)) return std::nullopt;
   return params.sample_identity().sequence_number().to64long();
 }

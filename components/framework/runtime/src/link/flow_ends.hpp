@@ -32,6 +32,7 @@ struct TakenSample {
   eprosima::fastrtps::rtps::GUID_t writer;
   std::uint64_t number = 0;  ///< of its DDS writer
   CarriedSample sample;      ///< of its origin, where the writer tells one
+  SamplePiece piece{};       ///< its content is of this
   Duration waited{0};        ///< in a socket of this process, see SocketWait
 };
 
@@ -70,8 +71,9 @@ class FlowWriter : private eprosima::fastdds::dds::DataWriterListener {
   /// As FlowReader::belong.
   void belong(LocalNodes& nodes, const std::string& node);
 
-  /// The number that Fast DDS gave it; nothing when it refused.
-  [[nodiscard]] std::optional<std::uint64_t> write(const CarriedSample& sample);
+  /// The number that Fast DDS gave it; nothing when it refused. A piece needs encoded content.
+  [[nodiscard]] std::optional<std::uint64_t> write(const CarriedSample& sample,
+                                                   SamplePiece piece = {});
   [[nodiscard]] eprosima::fastrtps::rtps::EntityId_t entity() const;
 
  private:

@@ -15,6 +15,20 @@ namespace rtps = eprosima::fastrtps::rtps;
 constexpr std::array<rtps::octet, 4> mark{'t', 'c', 's', 'n'};
 constexpr std::size_t source_bytes = 8;
 
+rtps::EntityId_t entity_of(const SamplePiece& piece) {
+  rtps::EntityId_t entity(0x00000003);  // a writer without key, RTPS 2.2 section 9.3.1.2
+  if (piece.is_whole()) return entity;
+  entity.value[0] = piece.index;
+  entity.value[1] = piece.count;
+  return entity;
+}
+
+std::optional<SamplePiece> piece_in(const rtps::EntityId_t& entity) {
+  const SamplePiece piece{entity.value[0], std::max<std::uint8_t>(entity.value[1], 1)};
+  if (piece.index >= piece.count || piece.count > SamplePiece::most) return std::nullopt;
+  return piece;
+}
+
 }  // namespace
 
 std::uint64_t source_of(const rtps::GUID_t& guid) {
@@ -35,7 +49,7 @@ rtps::SampleIdentity identity_of(const Origin& origin) {
     guid.guidPrefix.value[i] = static_cast<rtps::octet>(origin.source >> (8 * i));
   }
   std::copy(mark.begin(), mark.end(), guid.guidPrefix.value + source_bytes);
-  guid.entityId = rtps::EntityId_t(0x00000003);  // a writer without key, RTPS 2.2 section 9.3.1.2
+  guid.entityId = entity_of(origin.piece);
   rtps::SampleIdentity identity;
   identity.writer_guid(guid);
   identity.sequence_number(rtps::SequenceNumber_t(static_cast<std::int32_t>(origin.sequence >> 32U),
@@ -46,7 +60,10 @@ rtps::SampleIdentity identity_of(const Origin& origin) {
 std::optional<Origin> origin_in(const rtps::SampleIdentity& identity) {
   const rtps::octet* const bytes = identity.writer_guid().guidPrefix.value;
   if (!std::equal(mark.begin(), mark.end(), bytes + source_bytes)) return std::nullopt;
+  const auto piece = piece_in(identity.writer_guid().entityId);
+  if (!piece) return std::nullopt;
   Origin origin;
+  origin.piece = *piece;
   for (std::size_t i = 0; i < source_bytes; ++i) {
     origin.source |= static_cast<std::uint64_t>(bytes[i]) << (8 * i);
   }

@@ -107,6 +107,35 @@ TEST_F(LinkBusTest, WhatIsOnDemandCrossesWhileSomebodyOnTheOtherHostReadsIt) {
   })) << "nobody reads it any more";
 }
 
+TEST_F(LinkBusTest, APictureCrossesInPiecesOfOnePacketEach) {
+  RtpsCapture capture;
+  if (!capture.ok()) GTEST_SKIP() << "no packet socket: CAP_NET_RAW is needed";
+  const Relay uxv(options(Role::uxv));
+  Relay gcs(options(Role::gcs));
+  const auto vehicle = process(Role::uxv);
+  const auto station = process(Role::gcs);
+  Samples there;
+  const auto far = station->subscribe(endpoint<topic::CameraImage>(), there);
+  const auto writer = vehicle->advertise(endpoint<topic::CameraImage>());
+  const auto image = std::make_shared<topic::CameraImage::Message>();
+  for (int i = 0; i < 30'000; ++i) image->data().push_back(static_cast<std::uint8_t>(i % 251));
+  ASSERT_TRUE(eventually([&] {
+    (void)writer->write(image);
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    return !there.all().empty();
+  }));
+  const auto arrived =
+      std::static_pointer_cast<const topic::CameraImage::Message>(there.all().front().message);
+  EXPECT_EQ(arrived->data(), image->data());
+  EXPECT_EQ(gcs.crossed().front().piece.count, 26);
+  const int port = 7400 + 250 * options(Role::uxv).link_domain;
+  for (const CapturedSubmessage& one : capture.take()) {
+    if (one.port < port || one.port >= port + 250) continue;
+    EXPECT_LE(one.packet_bytes, 1428U);
+    EXPECT_NE(one.kind, 0x16) << "a piece in fragments";
+  }
+}
+
 TEST_F(LinkBusTest, EachTransmissionHasTheNextNumberOfItsFlow) {
   const Relay uxv(options(Role::uxv));
   Relay gcs(options(Role::gcs));

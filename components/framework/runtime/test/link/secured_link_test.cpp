@@ -112,10 +112,14 @@ TEST_F(SecuredLinkTest, APictureCrossesInPacketsOfAtMost1400BytesThatNobodyElseC
       std::static_pointer_cast<const topic::CameraImage::Message>(there.all().front().message);
   EXPECT_EQ(arrived->data(), image->data());
   const int port = 7400 + 250 * options(Role::uxv).link_domain;
+  std::size_t large = 0;
   for (const CapturedSubmessage& one : capture.take()) {
     if (one.port < port || one.port >= port + 250) continue;
     EXPECT_LE(one.packet_bytes, 1428U);
+    EXPECT_NE(one.kind, 0x16) << "a piece in fragments";
+    if (one.packet_bytes > 1000) ++large;
   }
+  EXPECT_GE(large, 31 * there.all().size()) << "in pieces of one packet each";
 }
 
 TEST_F(SecuredLinkTest, WhoHasNoIdentityIsNotHeard) { expect_not_heard(options(Role::uxv)); }

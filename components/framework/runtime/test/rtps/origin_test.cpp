@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace tocsin {
 namespace {
 
@@ -14,6 +16,23 @@ TEST(Origin, ComesBackFromItsIdentity) {
   ASSERT_TRUE(back);
   EXPECT_EQ(back->source, origin.source);
   EXPECT_EQ(back->sequence, origin.sequence);
+}
+
+TEST(Origin, TellsOfWhichPieceTheSampleIs) {
+  EXPECT_TRUE(origin_in(identity_of({1, 2}))->piece.is_whole());
+  const SamplePiece last{47, 48};
+  EXPECT_EQ(origin_in(identity_of({1, 2, last}))->piece, last);
+}
+
+TEST(Origin, IsNotSeenWhereThePieceCannotBe) {
+  for (const auto& [index, count] : {std::pair{5, 5}, std::pair{0, 49}, std::pair{3, 0}}) {
+    rtps::SampleIdentity identity = identity_of({1, 2, {1, 2}});
+    rtps::GUID_t guid = identity.writer_guid();
+    guid.entityId.value[0] = static_cast<rtps::octet>(index);
+    guid.entityId.value[1] = static_cast<rtps::octet>(count);
+    identity.writer_guid(guid);
+    EXPECT_FALSE(origin_in(identity)) << index << " of " << count;
+  }
 }
 
 TEST(Origin, IsNotSeenInTheIdentityOfAForeignRequest) {

@@ -45,13 +45,13 @@ struct Written {
   const void* message;     ///< of type `from.type`; valid during the call
 };
 
-/// A sample that a router put on the radio, for the first time or again.
+/// A sample, or a piece of one, that a router put on the radio, for the first time or again.
 struct Sent {
   const TopicEnd& from;
   Time time;
   std::uint64_t sequence;  ///< on the link: from 1, counts only what was sent
   std::uint64_t written;   ///< Written::sequence
-  std::size_t bytes;
+  std::size_t bytes;       ///< of what was sent
 };
 
 /// A sample that a router has given to its log.

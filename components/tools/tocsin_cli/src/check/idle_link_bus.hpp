@@ -19,8 +19,14 @@ class IdleLinkBus final : public LinkBus {
   FlowId open(const Flow&, TrafficClass) override { return ++last_; }
   [[nodiscard]] std::uint32_t wire_id(FlowId) const override { return 0; }
   void close(FlowId) override {}
-  [[nodiscard]] std::optional<std::uint64_t> send(FlowId, const CarriedSample&) override {
+  [[nodiscard]] std::optional<std::uint64_t> send(FlowId, const CarriedSample&,
+                                                  SamplePiece) override {
     return std::nullopt;
+  }
+  [[nodiscard]] std::size_t largest_piece() const override { return 0; }
+  [[nodiscard]] CarriedSample join(const CarriedSample& last,
+                                   const std::vector<std::shared_ptr<const void>>&) const override {
+    return last;
   }
   void offer(FlowId) override {}
   FlowId offer(const Flow&) override { return ++last_; }

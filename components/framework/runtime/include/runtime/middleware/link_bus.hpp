@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "foundation/sample_piece.hpp"
 #include "foundation/stop_value.hpp"
 #include "foundation/time.hpp"
 #include "foundation/traffic_class.hpp"
@@ -100,8 +101,9 @@ struct HostReaderMatched {  ///< a reader of this host hears a flow of `offer`
 struct LinkSample {
   FlowId flow;           ///< of the peer
   std::uint64_t number;  ///< of this transmission within the flow, from 1 without gaps
-  CarriedSample sample;
+  CarriedSample sample;  ///< of a piece, what LinkBus::join takes
   Time received{};
+  SamplePiece piece{};
 };
 }  // namespace link_event
 using LinkEvent =
@@ -144,10 +146,15 @@ class LinkBus {
   [[nodiscard]] virtual std::uint32_t wire_id(FlowId flow) const = 0;
   /// Nothing of it is sent any more.
   virtual void close(FlowId flow) = 0;
-  /// One transmission on a flow of `open`. Returns its number, the next of the flow; nothing when
-  /// the middleware refused it, or the link is not up.
-  [[nodiscard]] virtual std::optional<std::uint64_t> send(FlowId flow,
-                                                          const CarriedSample& sample) = 0;
+  /// One transmission on a flow of `open`, of a piece of the sample. Returns its number, the next
+  /// of the flow; nothing when the middleware refused it, or the link is not up.
+  [[nodiscard]] virtual std::optional<std::uint64_t> send(FlowId flow, const CarriedSample& sample,
+                                                          SamplePiece piece) = 0;
+  /// [B] of a sample that cross in one packet.
+  [[nodiscard]] virtual std::size_t largest_piece() const = 0;
+  /// The sample whose pieces were received, all of them in their order. `last`: any of them.
+  [[nodiscard]] virtual CarriedSample join(
+      const CarriedSample& last, const std::vector<std::shared_ptr<const void>>& pieces) const = 0;
   /// Makes the writer on this host of a peer's flow. A HostReaderMatched reports each reader of
   /// another process that it matches from then on. A topic that the rules take on demand is
   /// received while it has such a reader.

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -15,8 +16,8 @@ namespace tocsin {
 
 constexpr int relay_dscp = 32;  ///< of class high
 
-/// A router that carries everything at once, as it comes. Its thread has the network namespace of
-/// who makes it.
+/// A router that carries everything at once, as it comes, large samples in pieces. Its thread has
+/// the network namespace of who makes it.
 class Relay {
  public:
   explicit Relay(const BusOptions& options) : thread_([this, options] { run(options); }) {}
@@ -75,7 +76,13 @@ class Relay {
     sending_.erase(event.flow);
   }
   void on(LinkBus& bus, const link_event::HostSample& event) {
-    (void)bus.send(sending_.at(event.flow), event.sample);
+    const std::size_t largest = bus.largest_piece();
+    const std::size_t bytes = event.sample.bytes;
+    const auto count =
+        static_cast<std::uint8_t>(bytes > largest + 4 ? (bytes + largest - 1) / largest : 1);
+    for (std::uint8_t i = 0; i < count; ++i) {
+      (void)bus.send(sending_.at(event.flow), event.sample, {i, count});
+    }
   }
   void on(LinkBus&, const link_event::PeerFound& event) {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -97,14 +104,26 @@ class Relay {
     const std::lock_guard<std::mutex> lock(mutex_);
     heard_.push_back(event.flow);
   }
-  void on(LinkBus& bus, const link_event::LinkSample& event) {
+  void on(LinkBus& bus, link_event::LinkSample& event) {
+    if (!event.piece.is_whole() && !join(bus, event)) return;
     bus.deliver(event.flow, event.sample);
     const std::lock_guard<std::mutex> lock(mutex_);
     crossed_.push_back(event);
   }
+  /// Whether it is the last piece; then the sample is the whole one.
+  bool join(const LinkBus& bus, link_event::LinkSample& event) {
+    auto& pieces = partial_[{event.flow, event.sample.sequence}];
+    pieces[event.piece.index] = event.sample.content;
+    if (pieces.size() < event.piece.count) return false;
+    std::vector<std::shared_ptr<const void>> contents;
+    for (const auto& entry : pieces) contents.push_back(entry.second);
+    event.sample = bus.join(event.sample, contents);
+    return true;
+  }
 
   std::mutex mutex_;
   std::map<FlowId, FlowId> sending_;
+  std::map<std::pair<FlowId, std::uint64_t>, std::map<int, std::shared_ptr<const void>>> partial_;
   std::vector<link_event::LinkSample> crossed_;
   std::vector<Flow> peer_flows_;
   std::vector<std::string> peers_;
