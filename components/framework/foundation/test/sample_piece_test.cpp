@@ -8,7 +8,8 @@ namespace {
 
 TEST(SamplePiece, PiecesAreTheWholeSampleInOrderWithoutGaps) {
   for (const std::size_t bytes : {2U, 5U, 2400U, 30'001U}) {
-    for (const std::uint8_t count : {1, 2, 5, 48}) {
+    for (const int pieces : {1, 2, 5, 48}) {
+      const auto count = static_cast<std::uint8_t>(pieces);
       std::size_t at = 0;
       for (std::uint8_t i = 0; i < count; ++i) {
         const SamplePiece piece{i, count};
