@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 namespace tocsin::router {
@@ -11,6 +12,9 @@ namespace {
 /// Ages of this and more say nothing of the arrival: an acknowledgement codes them in 16 bits of
 /// 100 us.
 constexpr Duration longest_age = std::chrono::seconds(5);
+/// How much later than expected a piece may arrive behind one that was received: a frame's
+/// retransmissions on the air.
+constexpr Duration tail_patience = std::chrono::milliseconds(40);
 
 bool names(const StreamAcknowledgement& acknowledgement, TransmissionNumber number) {
   if (number == acknowledgement.highest) return true;
@@ -45,6 +49,9 @@ void DeliveryLog::add(Record record) {
 
 void DeliveryLog::forget_stream(StreamId stream) {
   streams_.erase(stream);
+  for (auto it = highest_.begin(); it != highest_.end();) {
+    it = it->first.first == stream ? highest_.erase(it) : std::next(it);
+  }
   under_way_.erase(std::remove_if(under_way_.begin(), under_way_.end(),
                                   [stream](const RecordPtr& record) {
                                     return record->sample->stream == stream;
@@ -105,6 +112,7 @@ void DeliveryLog::take_stream(PeerIndex peer, const StreamAcknowledgement& ackno
       Settlement one = settle(*record, copy, true);
       one.is_exact = record->number == acknowledgement.highest && acknowledgement.age < longest_age;
       one.arrived = one.is_exact ? made - acknowledgement.age : made;
+      if (one.is_exact) highest_[{acknowledgement.stream, peer}] = {record->number, copy.expected};
       settled.push_back(std::move(one));
     }
   }
@@ -112,6 +120,23 @@ void DeliveryLog::take_stream(PeerIndex peer, const StreamAcknowledgement& ackno
   records.erase(std::remove_if(records.begin(), records.end(),
                                [](const RecordPtr& record) { return is_acknowledged(*record); }),
                 records.end());
+}
+
+void DeliveryLog::give_up_tail(PeerIndex peer, const StreamAcknowledgement& acknowledgement,
+                               std::vector<Settlement>& lost) {
+  const auto found = highest_.find({acknowledgement.stream, peer});
+  if (found == highest_.end() || found->second.number != acknowledgement.highest ||
+      acknowledgement.age >= longest_age) {
+    return;
+  }
+  const Time latest = found->second.expected + (acknowledgement.age - tail_patience);
+  give_up(
+      [&](const Record& record, const Copy& copy) {
+        return copy.peer == peer && record.sample->whole &&
+               record.sample->stream == acknowledgement.stream &&
+               record.number > acknowledgement.highest && copy.expected < latest;
+      },
+      lost);
 }
 
 void DeliveryLog::give_up_overtaken(PeerIndex peer, const std::vector<Settlement>& received,
@@ -139,6 +164,9 @@ std::vector<Settlement> DeliveryLog::on_acknowledgement(
   if (!settled.empty()) drop_settled();
   std::vector<Settlement> lost;
   give_up_overtaken(peer, settled, lost);
+  for (const StreamAcknowledgement& stream : acknowledgement.streams) {
+    give_up_tail(peer, stream, lost);
+  }
   settled.insert(settled.end(), std::make_move_iterator(lost.begin()),
                  std::make_move_iterator(lost.end()));
   return settled;

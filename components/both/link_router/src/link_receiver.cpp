@@ -11,6 +11,8 @@ namespace {
 
 /// Sources of all streams of a peer that are remembered; then the one silent for longest goes.
 constexpr std::size_t most_memories = 256;
+/// So long after the last piece of a sample its sender is told again what is missing.
+constexpr Duration pieces_missed_for = std::chrono::milliseconds(150);
 /// Samples of a stream that are put together at once.
 constexpr std::size_t most_partial = 8;
 /// A stream is in the acknowledgements of this time after something of it was received, so that one
@@ -79,8 +81,11 @@ std::list<LinkReceiver::Partial>::iterator LinkReceiver::partial_of(Stream& stre
   if (known != all.end()) return known;
   if (all.size() == most_partial) all.pop_front();
   const std::size_t count = arrived.piece.count;
-  all.push_back({arrived.origin.source, arrived.origin.sequence, std::vector<bool>(count),
-                 std::vector<std::shared_ptr<const void>>(count)});
+  all.push_back({arrived.origin.source,
+                 arrived.origin.sequence,
+                 std::vector<bool>(count),
+                 std::vector<std::shared_ptr<const void>>(count),
+                 {}});
   return std::prev(all.end());
 }
 
@@ -92,6 +97,7 @@ std::optional<std::vector<std::shared_ptr<const void>>> LinkReceiver::on_piece(
   if (found == known->second.streams.end()) return std::nullopt;
   Stream& stream = found->second;
   const auto partial = partial_of(stream, arrived);
+  partial->last = now;
   partial->there[arrived.piece.index] = true;
   partial->pieces[arrived.piece.index] = arrived.content;
   if (std::count(partial->there.begin(), partial->there.end(), false) == 0) {
@@ -194,8 +200,17 @@ LinkAcknowledgement LinkReceiver::make_acknowledgement(Peer& peer, Time now) {
     acknowledgement.streams.push_back({id, stream.highest, now - stream.last, stream.before});
   }
   peer.acknowledgement_sent = now;
-  peer.acknowledgement_due = now + acknowledgement_idle;
+  peer.acknowledgement_due =
+      now + (misses_pieces(peer, now) ? acknowledgement_period : acknowledgement_idle);
   return acknowledgement;
+}
+
+bool LinkReceiver::misses_pieces(const Peer& peer, Time now) {
+  return std::any_of(peer.streams.begin(), peer.streams.end(), [now](const auto& entry) {
+    const auto& partial = entry.second.partial;
+    return std::any_of(partial.begin(), partial.end(),
+                       [now](const Partial& one) { return now - one.last < pieces_missed_for; });
+  });
 }
 
 Time LinkReceiver::deadline() const {

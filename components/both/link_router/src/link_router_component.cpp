@@ -49,7 +49,7 @@ LinkRouterComponent::Router::Router(Component& owner, Context& context, Logger& 
                                     const Params& params)
     : reports_(owner),
       link_(open_link(owner)),
-      sender_(params.link, link_->largest_piece()),
+      sender_(params.link),
       streams_(*link_, sender_),
       events_(*link_, receiver_, services_) {
   const LinkParts parts{*link_,          sender_,         receiver_,        streams_,

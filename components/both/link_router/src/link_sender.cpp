@@ -22,14 +22,13 @@ Duration patience_of(const LinkRouterParams& params) {
 
 }  // namespace
 
-LinkSender::LinkSender(const LinkRouterParams& params, std::size_t largest)
+LinkSender::LinkSender(const LinkRouterParams& params)
     : params_(params),
       queue_(static_cast<std::size_t>(params.queue_bytes)),
       log_(patience_of(params)),
       pacer_(params, paths_, log_),
       retransmitter_(params, paths_, pacer_, gate_),
-      adaptation_(params),
-      largest_piece_(largest) {
+      adaptation_(params) {
   check(params);
 }
 
@@ -306,8 +305,9 @@ void LinkSender::apply(const Settlement& settlement, Time now) {
   if (peer == nullptr) return;
   SentSample& sent = *settlement.sample;
   if (!settlement.received) {
-    // At once the first time; then at growing intervals, as nobody may know of its arrival.
-    if (sent.whole && sent.under_way == 0 && sent.transmissions == 1) sent.repair_at = now;
+    // Where nothing bounds the repairs, at growing intervals: nobody may know of the arrival.
+    const bool at_once = !sent.is_repaired || sent.transmissions == 1;
+    if (sent.whole && sent.under_way == 0 && at_once) sent.repair_at = now;
     return peer->estimator.on_lost();
   }
   const Duration delay =

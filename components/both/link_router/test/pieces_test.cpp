@@ -71,6 +71,14 @@ TEST_F(Pieces, OneOfTooManyPacketsGoesAsTheMiddlewareDividesIt) {
   EXPECT_TRUE(link.sent[0].piece.is_whole());
 }
 
+TEST_F(Pieces, NothingIsDividedWhileSomebodyReadsWhoKnowsNoPieces) {
+  link.sender.set_largest_piece(0);
+  link.offer(1, 1, picture);
+  link.run(50 * ms);
+  ASSERT_EQ(link.sent.size(), 1U);
+  EXPECT_TRUE(link.sent[0].piece.is_whole());
+}
+
 TEST_F(Pieces, OnlyWhatIsMissingIsSentAgainThoughItsClassIsNotRepaired) {
   lose(1, {0, 7, 12});
   link.offer(1, 1, picture);

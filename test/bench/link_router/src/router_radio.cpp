@@ -52,6 +52,7 @@ void RouterRadio::send(Cargo cargo, const std::vector<std::size_t>& packets, Tim
 void RouterRadio::send(std::size_t side, const router::Transmission& one, Time now) {
   const auto packets = router::packets_of(one.sample.bytes, one.piece);
   if (one.repair) ++repairs_;
+  packets_[one.stream] += packets.size();
   const router::TransmissionNumber number = ++numbers_[side][one.stream];
   senders_[side]->on_written(one, number);
   send({one, 1 - side, classes_.at(one.stream), packets.size(), number}, packets, now);

@@ -40,6 +40,11 @@ class RouterRadio {
   [[nodiscard]] router::LinkSender& sender(std::size_t side) { return *senders_[side]; }
   [[nodiscard]] double acknowledgements() const { return acknowledgements_; }
   [[nodiscard]] double repairs() const { return repairs_; }
+  /// That were sent of it.
+  [[nodiscard]] std::size_t packets_of(router::StreamId stream) const {
+    const auto found = packets_.find(stream);
+    return found == packets_.end() ? 0 : found->second;
+  }
 
  private:
   struct Echo {
@@ -65,6 +70,7 @@ class RouterRadio {
   std::unordered_map<router::StreamId, TrafficClass> classes_;
   std::array<std::unordered_map<router::StreamId, router::TransmissionNumber>, 2> numbers_;
   std::unordered_map<radio::FrameId, std::shared_ptr<Cargo>> under_way_;
+  std::unordered_map<router::StreamId, std::size_t> packets_;
   double acknowledgements_ = 0;
   double repairs_ = 0;
 };

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "link_router/link_acknowledgement.hpp"
@@ -69,7 +70,8 @@ struct Settlement {
 /// The transmissions of all streams, and which peers have them.
 ///
 /// A transmission is given up for a peer when a later one of its class was received there (the
-/// radio's queues are first in, first out) or when no acknowledgement names it for long. An
+/// radio's queues are first in, first out) or when no acknowledgement names it for long; a piece
+/// also when one that was made after its arrival was due does not name it. An
 /// acknowledgement that names it later still counts. Pure; `now` never decreases.
 class DeliveryLog {
  public:
@@ -111,8 +113,16 @@ class DeliveryLog {
  private:
   using RecordPtr = std::shared_ptr<Record>;
   using Records = std::deque<RecordPtr>;
+  /// The highest number of a stream that a peer has named.
+  struct Highest {
+    TransmissionNumber number = 0;
+    Time expected{};  ///< as in Copy
+  };
   void take_stream(PeerIndex peer, const StreamAcknowledgement& acknowledgement, Time made,
                    std::vector<Settlement>& settled);
+  /// Pieces behind the highest number that should have arrived before the acknowledgement was made.
+  void give_up_tail(PeerIndex peer, const StreamAcknowledgement& acknowledgement,
+                    std::vector<Settlement>& lost);
   void give_up_overtaken(PeerIndex peer, const std::vector<Settlement>& received,
                          std::vector<Settlement>& settled);
   /// Copies of those under way for which `ends` is true are given up.
@@ -124,6 +134,7 @@ class DeliveryLog {
   Duration patience_;
   std::uint64_t last_order_ = 0;
   std::map<StreamId, Records> streams_;
+  std::map<std::pair<StreamId, PeerIndex>, Highest> highest_;
   std::vector<RecordPtr> under_way_;  ///< those with copies that are not settled, by time
 };
 

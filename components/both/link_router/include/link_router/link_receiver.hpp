@@ -78,6 +78,7 @@ class LinkReceiver {
     std::uint64_t sequence = 0;
     std::vector<bool> there;
     std::vector<std::shared_ptr<const void>> pieces;
+    Time last{};  ///< arrival of any
   };
   struct Stream {
     StreamRule rule;
@@ -109,6 +110,8 @@ class LinkReceiver {
                                                SourceId source);
   static void ask_for_acknowledgement(Peer& peer, Time now);
   [[nodiscard]] static LinkAcknowledgement make_acknowledgement(Peer& peer, Time now);
+  /// Whether the peer should hear soon that pieces are still missing.
+  [[nodiscard]] static bool misses_pieces(const Peer& peer, Time now);
 
   std::map<std::string, Peer> peers_;
 };

@@ -50,11 +50,13 @@ struct Transmission {
 /// Pure; `now` never decreases.
 class LinkSender {
  public:
-  /// A sample that does not fit a packet goes in pieces of at most `largest` bytes. Throws
-  /// ConfigError for parameters that do not fit each other.
-  explicit LinkSender(const LinkRouterParams& params, std::size_t largest = largest_piece);
+  /// Throws ConfigError for parameters that do not fit each other.
+  explicit LinkSender(const LinkRouterParams& params);
   LinkSender(const LinkSender&) = delete;
   LinkSender& operator=(const LinkSender&) = delete;
+
+  /// A sample that does not fit a packet goes in pieces of at most so many bytes; 0: whole.
+  void set_largest_piece(std::size_t bytes) { largest_piece_ = bytes; }
 
   /// A link writer.
   void add_stream(StreamId stream, const StreamRule& rule);
@@ -151,7 +153,7 @@ class LinkSender {
   Retransmitter retransmitter_;
   LinkAdaptation adaptation_;
   LinkCounters counters_;
-  const std::size_t largest_piece_;
+  std::size_t largest_piece_ = largest_piece;
   std::deque<SentSamplePtr> burst_;  ///< the pieces of a sample that are still to be sent, at once
   std::uint64_t bursts_ = 0;
 };

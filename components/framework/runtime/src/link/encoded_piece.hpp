@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <memory>
 #include <vector>
@@ -14,7 +15,8 @@
 namespace tocsin {
 
 /// A piece is a DDS sample of its own, so the header of every serialised sample (DDSI-RTPS 2.2,
-/// 10.2.1) stands before its bytes.
+/// 10.2.1) stands before its bytes. Its last two bits tell how many zeros the middleware adds
+/// behind them, up to a multiple of four (DDS-XTypes 1.3, 7.6.3.1.2).
 inline constexpr std::size_t encapsulation_bytes = 4;
 
 [[nodiscard]] inline const EncodedMessage& content_of(const CarriedSample& sample) {
@@ -23,9 +25,10 @@ inline constexpr std::size_t encapsulation_bytes = 4;
 
 /// The bytes of a piece as its writer writes them.
 [[nodiscard]] inline EncodedMessage cut_out(const EncodedMessage& whole, SamplePiece piece) {
-  EncodedMessage part{{0, 1, 0, 0}};  // CDR, little endian
-  const auto begin = whole.bytes.begin();
   const std::size_t bytes = whole.bytes.size();
+  const auto padding = static_cast<std::uint8_t>((4 - piece.size(bytes) % 4) % 4);
+  EncodedMessage part{{0, 1, 0, padding}};  // CDR, little endian
+  const auto begin = whole.bytes.begin();
   part.bytes.insert(part.bytes.end(), begin + static_cast<std::ptrdiff_t>(piece.begin(bytes)),
                     begin + static_cast<std::ptrdiff_t>(piece.end(bytes)));
   return part;
@@ -37,7 +40,10 @@ inline constexpr std::size_t encapsulation_bytes = 4;
   EncodedMessage whole;
   for (const auto& piece : pieces) {
     const auto& bytes = static_cast<const EncodedMessage*>(piece.get())->bytes;
-    whole.bytes.insert(whole.bytes.end(), bytes.begin() + encapsulation_bytes, bytes.end());
+    const std::size_t padding = bytes.size() % 4 == 0 ? bytes[encapsulation_bytes - 1] & 3U : 0;
+    const auto end = bytes.end() - static_cast<std::ptrdiff_t>(
+                                       std::min(padding, bytes.size() - encapsulation_bytes));
+    whole.bytes.insert(whole.bytes.end(), bytes.begin() + encapsulation_bytes, end);
   }
   return whole;
 }

@@ -92,6 +92,8 @@ ParticipantOptions FastDdsLinkBus::link_options() {
     table_.on_link_end(guid, end, there);
   };
   link.on_participant = [this](const auto& prefix, const std::string& name, bool there) {
+    if (!there) outside_readers_.on_gone(prefix);
+    if (there && host_in(name) != name) outside_readers_.on_router(prefix);
     table_.on_peer(prefix, peer_name(prefix, host_in(name)), there, steady_now());
   };
   return link;
@@ -115,6 +117,7 @@ void FastDdsLinkBus::connect(FlowId id, Sending& sending) {
   const TrafficRule* const rule = rules_.find(sending.flow.topic);
   const auto on_reader = [this, id, on_demand = rule != nullptr && rule->on_demand](
                              const auto& peer, bool there) {
+    if (there) outside_readers_.on_reader(peer);
     if (there || on_demand) table_.on_peer_listens(peer, id, there);
   };
   try {
@@ -268,6 +271,7 @@ std::optional<std::uint64_t> FastDdsLinkBus::send(FlowId flow, const CarriedSamp
 }
 
 std::size_t FastDdsLinkBus::largest_piece() const {
+  if (outside_readers_.any()) return 0;
   return options_.enclave.empty() ? largest_plain_piece : largest_sealed_piece;
 }
 

@@ -17,6 +17,7 @@
 #include "link/flow_readers.hpp"
 #include "link/flow_table.hpp"
 #include "link/late_interface.hpp"
+#include "link/outside_readers.hpp"
 #include "rtps/writer_numbers.hpp"
 #include "runtime/logger.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
@@ -96,6 +97,7 @@ class FastDdsLinkBus final : public LinkBus {
   const BusOptions options_;
   Logger log_{"link"};
   const TrafficRules rules_;
+  OutsideReaders outside_readers_;
   FlowTable table_;
   ServiceTable service_table_;
   Demand demand_;

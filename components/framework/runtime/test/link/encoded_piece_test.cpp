@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <numeric>
+#include <utility>
 
 namespace tocsin {
 namespace {
@@ -15,16 +16,29 @@ EncodedMessage message_of(std::size_t bytes) {
   return message;
 }
 
-TEST(EncodedPiece, PiecesMakeTheSampleAgain) {
-  for (const std::size_t bytes : {1193U, 2376U, 30'001U}) {
-    const EncodedMessage whole = message_of(bytes);
-    const auto count = static_cast<std::uint8_t>((bytes + 999) / 1000);
-    std::vector<std::shared_ptr<const void>> pieces;
-    for (std::uint8_t i = 0; i < count; ++i) {
-      pieces.push_back(std::make_shared<EncodedMessage>(cut_out(whole, {i, count})));
-    }
-    EXPECT_EQ(put_together(pieces).bytes, whole.bytes);
+/// `padded`: as the middleware gives them.
+EncodedMessage over_pieces(const EncodedMessage& whole, bool padded) {
+  const auto count = static_cast<std::uint8_t>((whole.bytes.size() + 999) / 1000);
+  std::vector<std::shared_ptr<const void>> pieces;
+  for (std::uint8_t i = 0; i < count; ++i) {
+    EncodedMessage piece = cut_out(whole, {i, count});
+    if (padded) piece.bytes.resize((piece.bytes.size() + 3) / 4 * 4);
+    pieces.push_back(std::make_shared<EncodedMessage>(std::move(piece)));
   }
+  return put_together(pieces);
+}
+
+TEST(EncodedPiece, PiecesMakeTheSampleAgainWithoutThePaddingOfThePackets) {
+  for (const std::size_t bytes : {1193U, 2376U, 2377U, 30'001U, 30'002U, 30'003U}) {
+    const EncodedMessage whole = message_of(bytes);
+    EXPECT_EQ(over_pieces(whole, false).bytes, whole.bytes) << bytes;
+    EXPECT_EQ(over_pieces(whole, true).bytes, whole.bytes) << bytes;
+  }
+}
+
+TEST(EncodedPiece, OfAPeerThatLiesAboutThePaddingNothingElseIsRead) {
+  const auto piece = std::make_shared<EncodedMessage>(EncodedMessage{{0, 1, 0, 3}});
+  EXPECT_TRUE(put_together({piece}).bytes.empty());
 }
 
 TEST(EncodedPiece, BeginsAsEverySerialisedSample) {

@@ -6,10 +6,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 
+#include "fast_dds/fast_dds_participant.hpp"
 #include "fast_dds/rtps_capture.hpp"
 #include "foundation/temporary_folder.hpp"
 #include "idl_support/topic_registry.hpp"
+#include "link/flow_ends.hpp"
 #include "link/link_bus_fixture.hpp"
 #include "runtime/middleware/refused_names.hpp"
 #include "tocsin_idl/topics.hpp"
@@ -118,7 +121,7 @@ TEST_F(LinkBusTest, APictureCrossesInPiecesOfOnePacketEach) {
   const auto far = station->subscribe(endpoint<topic::CameraImage>(), there);
   const auto writer = vehicle->advertise(endpoint<topic::CameraImage>());
   const auto image = std::make_shared<topic::CameraImage::Message>();
-  for (int i = 0; i < 30'000; ++i) image->data().push_back(static_cast<std::uint8_t>(i % 251));
+  for (int i = 0; i < 30'001; ++i) image->data().push_back(static_cast<std::uint8_t>(i % 251));
   ASSERT_TRUE(eventually([&] {
     (void)writer->write(image);
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -134,6 +137,29 @@ TEST_F(LinkBusTest, APictureCrossesInPiecesOfOnePacketEach) {
     EXPECT_LE(one.packet_bytes, 1428U);
     EXPECT_NE(one.kind, 0x16) << "a piece in fragments";
   }
+}
+
+TEST_F(LinkBusTest, AReaderOnTheLinkThatIsNoRouterGetsWholePictures) {
+  const BusOptions vehicle_options = options(Role::uxv);
+  Relay uxv(vehicle_options);
+  const auto vehicle = process(Role::uxv);
+  const auto writer = vehicle->advertise(endpoint<topic::CameraImage>());
+  FastDdsParticipant outsider(
+      {"outsider", vehicle_options.link_domain, "127.0.0.1", {"127.0.0.1"}});
+  std::atomic<bool> has_whole{false};
+  const TypeInfo& type = type_info<topic::CameraImage::Message>();
+  const FlowReader reader(outsider, {"rt/camera/image_raw/compressed", type.name},
+                          [&](TakenSample&& taken) {
+                            const bool is_whole = taken.piece.is_whole();
+                            has_whole = has_whole || (is_whole && taken.sample.bytes > 30'000);
+                          });
+  const auto image = std::make_shared<topic::CameraImage::Message>();
+  image->data().resize(30'000);
+  EXPECT_TRUE(eventually([&] {
+    (void)writer->write(image);
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    return has_whole.load();
+  }));
 }
 
 TEST_F(LinkBusTest, EachTransmissionHasTheNextNumberOfItsFlow) {

@@ -150,7 +150,7 @@ class LinkBus {
   /// of the flow; nothing when the middleware refused it, or the link is not up.
   [[nodiscard]] virtual std::optional<std::uint64_t> send(FlowId flow, const CarriedSample& sample,
                                                           SamplePiece piece) = 0;
-  /// [B] of a sample that cross in one packet.
+  /// [B] of a sample that cross in one packet; 0 while somebody reads who does not join pieces.
   [[nodiscard]] virtual std::size_t largest_piece() const = 0;
   /// The sample whose pieces were received, all of them in their order. `last`: any of them.
   [[nodiscard]] virtual CarriedSample join(

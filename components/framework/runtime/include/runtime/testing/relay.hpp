@@ -78,8 +78,8 @@ class Relay {
   void on(LinkBus& bus, const link_event::HostSample& event) {
     const std::size_t largest = bus.largest_piece();
     const std::size_t bytes = event.sample.bytes;
-    const auto count =
-        static_cast<std::uint8_t>(bytes > largest + 4 ? (bytes + largest - 1) / largest : 1);
+    const auto count = static_cast<std::uint8_t>(
+        largest > 0 && bytes > largest + 4 ? (bytes + largest - 1) / largest : 1);
     for (std::uint8_t i = 0; i < count; ++i) {
       (void)bus.send(sending_.at(event.flow), event.sample, {i, count});
     }
