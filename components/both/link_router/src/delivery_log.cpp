@@ -132,7 +132,7 @@ void DeliveryLog::give_up_tail(PeerIndex peer, const StreamAcknowledgement& ackn
   const Time latest = found->second.expected + (acknowledgement.age - tail_patience);
   give_up(
       [&](const Record& record, const Copy& copy) {
-        return copy.peer == peer && record.sample->whole &&
+        return copy.peer == peer && record.sample->mends_with_bulk() &&
                record.sample->stream == acknowledgement.stream &&
                record.number > acknowledgement.highest && copy.expected < latest;
       },

@@ -174,10 +174,10 @@ std::optional<Transmission> LinkSender::next(Time now) {
 }
 
 std::optional<Transmission> LinkSender::next_of(TrafficClass traffic_class, Time now) {
-  const SentSamplePtr piece = retransmitter_.due_piece(traffic_class, now);
-  if (piece || queue_.samples(traffic_class) > 0) {
+  const SentSamplePtr lost = retransmitter_.due_with_bulk(traffic_class, now);
+  if (lost || queue_.samples(traffic_class) > 0) {
     const std::size_t packets = pacer_.packets_allowed(traffic_class, now);
-    if (piece && packets > bulk_packets) return transmit(piece, now);
+    if (lost && packets > bulk_packets) return transmit(lost, now);
     const auto waiting = queue_.take_first(traffic_class, packets);
     if (waiting) return send_first(*waiting, now);
   }
@@ -185,9 +185,9 @@ std::optional<Transmission> LinkSender::next_of(TrafficClass traffic_class, Time
   return std::nullopt;
 }
 
-bool LinkSender::has_due_piece(Time now) const {
+bool LinkSender::has_due_with_bulk(Time now) const {
   return std::any_of(traffic_classes.begin(), traffic_classes.end(), [&](TrafficClass one) {
-    return retransmitter_.due_piece(one, now) != nullptr;
+    return retransmitter_.due_with_bulk(one, now) != nullptr;
   });
 }
 
@@ -253,8 +253,8 @@ Transmission LinkSender::transmit(const SentSamplePtr& sent, Time now) {
   if (!stream.rule.adaptive) adaptation_.on_other(cost, now);
   if (was_sent || !sent->counted) {
     counters_.on_repair(sent->traffic_class);
-    sent->whole ? retransmitter_.note_piece(cost.bytes, now)
-                : retransmitter_.spend(cost.bytes, now);
+    sent->mends_with_bulk() ? retransmitter_.note_with_bulk(cost.bytes, now)
+                            : retransmitter_.spend(cost.bytes, now);
   }
   return one;
 }
@@ -273,7 +273,7 @@ bool LinkSender::has_waiting() const {
 Time LinkSender::deadline(Time now) const {
   const Time next =
       std::min({queue_.next_expiry(), log_.next_overdue(), retransmitter_.deadline(now)});
-  if (!has_waiting() && !has_due_piece(now)) return next;
+  if (!has_waiting() && !has_due_with_bulk(now)) return next;
   const Time opens = pacer_.opens(now);
   return opens > now ? std::min(next, opens) : next;
 }
@@ -307,7 +307,7 @@ void LinkSender::apply(const Settlement& settlement, Time now) {
   if (!settlement.received) {
     // Where nothing bounds the repairs, at growing intervals: nobody may know of the arrival.
     const bool at_once = !sent.is_repaired || sent.transmissions == 1;
-    if (sent.whole && sent.under_way == 0 && at_once) sent.repair_at = now;
+    if (sent.mends_with_bulk() && sent.under_way == 0 && at_once) sent.repair_at = now;
     return peer->estimator.on_lost();
   }
   const Duration delay =

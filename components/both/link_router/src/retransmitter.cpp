@@ -15,9 +15,6 @@ bool is_of_same_source(const SentSample& one, const SentSample& other) {
   return one.stream == other.stream && one.sample.origin.source == other.sample.origin.source;
 }
 
-/// Nothing but a repair brings it.
-bool is_known_lost(const SentSample& sent) { return sent.whole && sent.under_way == 0; }
-
 }  // namespace
 
 void Retransmitter::supersede(const SentSample& newer, std::size_t depth) {
@@ -101,9 +98,9 @@ double Retransmitter::allowance(Time now) const {
 bool Retransmitter::can_repair(const SentSample& sent, Time now) const {
   if (sent.missing.empty() || sent.superseded || now > sent.expires) return false;
   if (!sent.counted || sent.is_repaired) return true;
-  // Of a sample that nothing has arrived of, a fresh one is worth more.
-  return sent.whole && (sent.under_way > 0 || sent.whole->arrives) &&
-         sent.transmissions <= static_cast<unsigned>(params_.piece_repairs);
+  // Of a picture that nothing has arrived of, a fresh one is worth more.
+  const bool may_be_mended = !sent.whole || sent.under_way > 0 || sent.whole->arrives;
+  return may_be_mended && sent.transmissions <= static_cast<unsigned>(params_.low_repairs);
 }
 
 bool Retransmitter::may_repair(const SentSample& sent, Time now) const {
@@ -114,17 +111,18 @@ SentSamplePtr Retransmitter::due(TrafficClass traffic_class, Time now) const {
   if (open_.empty() || allowance(now) <= 0 || pacer_.repairs_open(now) > now) return nullptr;
   SentSamplePtr due;
   for (const SentSamplePtr& sent : open_) {
-    if (sent->whole || sent->traffic_class != traffic_class || sent->repair_at > now) continue;
+    if (sent->mends_with_bulk() || sent->traffic_class != traffic_class || sent->repair_at > now)
+      continue;
     if (!may_repair(*sent, now)) continue;
     if (!due || sent->repair_at < due->repair_at) due = sent;
   }
   return due;
 }
 
-SentSamplePtr Retransmitter::due_piece(TrafficClass traffic_class, Time now) const {
+SentSamplePtr Retransmitter::due_with_bulk(TrafficClass traffic_class, Time now) const {
   const auto due = std::find_if(open_.begin(), open_.end(), [&](const SentSamplePtr& sent) {
-    return is_known_lost(*sent) && sent->traffic_class == traffic_class && sent->repair_at <= now &&
-           may_repair(*sent, now);
+    return sent->mends_with_bulk() && sent->under_way == 0 &&
+           sent->traffic_class == traffic_class && sent->repair_at <= now && may_repair(*sent, now);
   });
   return due == open_.end() ? nullptr : *due;
 }
@@ -136,9 +134,9 @@ Time Retransmitter::deadline(Time now) const {
   for (const SentSamplePtr& sent : open_) {
     if (!can_repair(*sent, now)) continue;
     if (sent->expires != never) next = std::min(next, sent->expires + Duration{1});
-    if (sent->whole) {
+    if (sent->mends_with_bulk()) {
       // One that is due waits for the pace of bulk.
-      if (is_known_lost(*sent) && sent->repair_at > now) next = std::min(next, sent->repair_at);
+      if (sent->under_way == 0 && sent->repair_at > now) next = std::min(next, sent->repair_at);
     } else if (may_repair(*sent, now)) {
       next = std::min(next, std::max(sent->repair_at, from));
     }

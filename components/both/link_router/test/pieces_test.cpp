@@ -193,9 +193,9 @@ TEST_F(Pieces, ARemovedStreamEndsItsPieces) {
 
 TEST(PiecesOfALossyLink, PicturesCrossAtTenPercentLossOfEachPacket) {
   std::mt19937 random(1);
-  const auto share_of = [&](int piece_repairs, double& air) {
+  const auto share_of = [&](int low_repairs, double& air) {
     LinkRouterParams params;
-    params.piece_repairs = piece_repairs;
+    params.low_repairs = low_repairs;
     LinkPair link(params);
     link.add(1, rule_of(TrafficClass::low));
     link.add(2, rule_of(TrafficClass::critical));

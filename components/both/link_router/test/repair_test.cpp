@@ -26,6 +26,32 @@ TEST(Repair, RepairsALostSampleAfterTheFirstWait) {
   EXPECT_EQ(link.counts(TrafficClass::critical).repairs, 1U);
 }
 
+TEST(Repair, ASampleOfClassLowIsSentAgainWhenALaterOneTellsOfItsLossTwiceAtMost) {
+  LinkPair link;
+  link.add(1, rule_of(TrafficClass::low));
+  link.add(2, rule_of(TrafficClass::low));
+  link.loses = [](const Transmission& one) { return one.stream == 1; };
+  link.offer(1, 1);
+  for (std::uint64_t i = 1; i <= 20; ++i) {
+    link.offer(2, i);
+    link.run(100 * ms);
+  }
+  EXPECT_EQ(link.count_sent(1), 3U);
+  EXPECT_EQ(link.counts(TrafficClass::low).lost, 1U);
+}
+
+TEST(Repair, ASampleOfClassLowThatANewerFollowedIsNotSentAgain) {
+  LinkPair link;
+  link.add(1, rule_of(TrafficClass::low));
+  link.loses = [](const Transmission& one) { return one.sample.origin.sequence == 1; };
+  link.offer(1, 1);
+  link.run(10 * ms);
+  link.offer(1, 2);
+  link.run(500 * ms);
+  EXPECT_EQ(link.count_sent(1), 2U);
+  EXPECT_EQ(link.delivered[1], (Sequences{2}));
+}
+
 TEST(Repair, BacksOffWhileNothingIsAcknowledged) {
   LinkPair link;
   StreamRule rule = rule_of(TrafficClass::critical);

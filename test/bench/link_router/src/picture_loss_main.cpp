@@ -113,7 +113,7 @@ class PictureRun {
   }
   static RouterRadio::Setup setup(const Variant& variant) {
     RouterRadio::Setup setup;
-    setup.params.piece_repairs = variant.repairs;
+    setup.params.low_repairs = variant.repairs;
     return setup;
   }
 

@@ -50,6 +50,10 @@ struct SentSample {
   unsigned lost_pieces = 0;           ///< of a whole
   unsigned received_pieces = 0;       ///< of a whole
   bool arrives = false;               ///< of a whole: a piece was received
+
+  /// Sent again when it is known to be lost, at the pace of bulk; else when no acknowledgement has
+  /// named it for a while.
+  [[nodiscard]] bool mends_with_bulk() const { return whole != nullptr || !is_repaired; }
 };
 using SentSamplePtr = std::shared_ptr<SentSample>;
 
@@ -70,8 +74,8 @@ struct Settlement {
 /// The transmissions of all streams, and which peers have them.
 ///
 /// A transmission is given up for a peer when a later one of its class was received there (the
-/// radio's queues are first in, first out) or when no acknowledgement names it for long; a piece
-/// also when one that was made after its arrival was due does not name it. An
+/// radio's queues are first in, first out) or when no acknowledgement names it for long; what
+/// mends_with_bulk() also when one that was made after its arrival was due does not name it. An
 /// acknowledgement that names it later still counts. Pure; `now` never decreases.
 class DeliveryLog {
  public:
@@ -120,7 +124,8 @@ class DeliveryLog {
   };
   void take_stream(PeerIndex peer, const StreamAcknowledgement& acknowledgement, Time made,
                    std::vector<Settlement>& settled);
-  /// Pieces behind the highest number that should have arrived before the acknowledgement was made.
+  /// What lies behind the highest number and should have arrived before the acknowledgement was
+  /// made.
   void give_up_tail(PeerIndex peer, const StreamAcknowledgement& acknowledgement,
                     std::vector<Settlement>& lost);
   void give_up_overtaken(PeerIndex peer, const std::vector<Settlement>& received,

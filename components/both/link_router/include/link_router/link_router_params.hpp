@@ -13,7 +13,7 @@ struct LinkRouterParams {
   double repair_first_s = 0.07;
   double repair_backoff = 1.5;
   double repair_share = 0.1;
-  int piece_repairs = 2;
+  int low_repairs = 2;
   double scale_min = 0.25;
   double backfill_share = 0.2;
 
@@ -34,9 +34,9 @@ struct LinkRouterParams {
     v("repair_backoff", repair_backoff, {1, 10},
       "[1] each further repair waits so much longer, up to 0.5 s");
     v("repair_share", repair_share, {0, 1}, "[1] of the capacity, for repairs at most");
-    v("piece_repairs", piece_repairs, {0, 10},
-      "[1] times that a lost packet of a sample of 2 to 48 packets is sent again where its class "
-      "is not repaired");
+    v("low_repairs", low_repairs, {0, 10},
+      "[1] times that a packet of classes normal and low is sent again, when it is known to be "
+      "lost");
     v("scale_min", scale_min, {0.01, 1}, "[1] least scale of an adaptive stream");
     v("backfill_share", backfill_share, {0.01, 1},
       "[1] of the capacity, for stored samples that did not cross at first, at most");

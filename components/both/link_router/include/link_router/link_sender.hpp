@@ -35,11 +35,11 @@ struct Transmission {
 
 /// Decides what the router puts on the link, and when.
 ///
-/// Order: strictly by class; in a class repairs of pieces, new samples, other repairs; no sample is
-/// sent that is older than its lifespan, none again that a newer one of its source has followed.
-/// The queue (LinkQueue), the pause (LinkGate), the pace (LinkPacer), the repairs (Retransmitter),
-/// the budgets (LinkAdaptation) and the counters (LinkCounters) are its parts. Peers are known by
-/// name; a new instance of one starts afresh.
+/// Order: strictly by class; in a class repairs at the pace of bulk, new samples, other repairs; no
+/// sample is sent that is older than its lifespan, none again that a newer one of its source has
+/// followed. The queue (LinkQueue), the pause (LinkGate), the pace (LinkPacer), the repairs
+/// (Retransmitter), the budgets (LinkAdaptation) and the counters (LinkCounters) are its parts.
+/// Peers are known by name; a new instance of one starts afresh.
 ///
 ///     sender.offer(stream, sample, now);      // for each sample of the host
 ///     while (auto one = sender.next(now)) {   // after each call, and at deadline()
@@ -135,7 +135,7 @@ class LinkSender {
   void drop(const std::vector<Dropped>& dropped);
   [[nodiscard]] Transmission send_first(const Waiting& waiting, Time now);
   [[nodiscard]] std::optional<Transmission> next_of(TrafficClass traffic_class, Time now);
-  [[nodiscard]] bool has_due_piece(Time now) const;
+  [[nodiscard]] bool has_due_with_bulk(Time now) const;
   [[nodiscard]] SentSamplePtr make_sent(const Waiting& waiting);
   [[nodiscard]] Transmission transmit(const SentSamplePtr& sent, Time now);
   void apply(const std::vector<Settlement>& settlements, Time now);

@@ -19,10 +19,10 @@ namespace tocsin::router {
 /// its lifespan, never when as many newer ones of its source were sent as the stream keeps, and
 /// together within a share of the capacity (a token bucket).
 ///
-/// A piece of a sample is sent again when it is known to be lost, before newer samples, at the pace
-/// of bulk. Where the class is not repaired that happens `piece_repairs` times at most, and when
-/// something of the sample has arrived. One newer sample of
-/// its source does not end it, unless that was delivered. Pure; `now` never decreases.
+/// Pieces, and samples of classes that are not repaired, are sent again when they are known to be
+/// lost: before newer samples, at the pace of bulk. The latter at most `low_repairs` times, and of
+/// a sample in pieces when something has arrived. One newer sample of its source does not end a
+/// piece, unless that was delivered. Pure; `now` never decreases.
 class Retransmitter {
  public:
   /// The references outlive it.
@@ -47,15 +47,15 @@ class Retransmitter {
 
   /// A sample was sent once more; `expected` is its wait in queues.
   void schedule(SentSample& sent, Duration expected, Time now) const;
-  /// That was a repair of so many bytes.
+  /// That was another repair, of so many bytes.
   void spend(std::size_t bytes, Time now);
-  /// That was the repair of a piece.
-  void note_piece(std::size_t bytes, Time now) { rate_.add(bytes, now); }
-  /// The repair of the class that is due first, of a whole sample; null when none may go.
+  /// That was a repair at the pace of bulk.
+  void note_with_bulk(std::size_t bytes, Time now) { rate_.add(bytes, now); }
+  /// Of the others, the repair of the class that is due first; null when none may go.
   [[nodiscard]] SentSamplePtr due(TrafficClass traffic_class, Time now) const;
-  /// The first piece of the class that is to be sent again; null when there is none.
-  [[nodiscard]] SentSamplePtr due_piece(TrafficClass traffic_class, Time now) const;
-  /// When due() has something, or due_piece(), or a sample expires; `never` when neither.
+  /// The first of the class that is to be sent again when bulk may go; null when there is none.
+  [[nodiscard]] SentSamplePtr due_with_bulk(TrafficClass traffic_class, Time now) const;
+  /// When due() has something, or due_with_bulk(), or a sample expires; `never` when neither.
   [[nodiscard]] Time deadline(Time now) const;
   /// [0, 1] of the capacity, recently spent on repairs.
   [[nodiscard]] double share(Time now) const;
