@@ -175,14 +175,27 @@ std::optional<Transmission> LinkSender::next(Time now) {
 
 std::optional<Transmission> LinkSender::next_of(TrafficClass traffic_class, Time now) {
   const SentSamplePtr lost = retransmitter_.due_with_bulk(traffic_class, now);
-  if (lost || queue_.samples(traffic_class) > 0) {
+  const bool has_new = queue_.samples(traffic_class) > 0;
+  if (lost || has_new) {
     const std::size_t packets = pacer_.packets_allowed(traffic_class, now);
-    if (lost && packets > bulk_packets) return transmit(lost, now);
-    const auto waiting = queue_.take_first(traffic_class, packets);
-    if (waiting) return send_first(*waiting, now);
+    const bool is_first = !has_new || !paths_.is_silent(now);  // what finds the peer alive is fresh
+    if (lost && is_first && packets > bulk_packets) return transmit(lost, now);
+    while (const auto waiting = queue_.take_first(traffic_class, packets)) {
+      if (can_arrive(*waiting, now)) return send_first(*waiting, now);
+      drop({{*waiting, DropReason::expired}});
+    }
   }
   if (const auto sent = retransmitter_.due(traffic_class, now)) return transmit(sent, now);
   return std::nullopt;
+}
+
+bool LinkSender::can_arrive(const Waiting& waiting, Time now) const {
+  if (waiting.expires == never) return true;
+  const double capacity_bytes_per_s = paths_.capacity_bytes_per_s(now);
+  const Duration takes = seconds(static_cast<double>(waiting.cost.bytes) / capacity_bytes_per_s);
+  // A fresh one always goes, or a capacity that is believed too small is never measured.
+  const Duration life = waiting.expires - waiting.offered;
+  return waiting.expires - now >= std::min(takes, life / 4);
 }
 
 bool LinkSender::has_due_with_bulk(Time now) const {

@@ -11,6 +11,14 @@ namespace {
 /// Repairs that may follow each other at once.
 constexpr double burst_bytes = 4000;
 
+/// What waits for the pace of bulk and then crosses in pieces takes so long at most, but for luck.
+constexpr Duration crossing = std::chrono::milliseconds(100);
+
+/// It is not sent again after this, so that it arrives within its lifespan.
+Time ends_at(const SentSample& sent) {
+  return sent.mends_with_bulk() && sent.expires != never ? sent.expires - crossing : sent.expires;
+}
+
 bool is_of_same_source(const SentSample& one, const SentSample& other) {
   return one.stream == other.stream && one.sample.origin.source == other.sample.origin.source;
 }
@@ -96,7 +104,7 @@ double Retransmitter::allowance(Time now) const {
 }
 
 bool Retransmitter::can_repair(const SentSample& sent, Time now) const {
-  if (sent.missing.empty() || sent.superseded || now > sent.expires) return false;
+  if (sent.missing.empty() || sent.superseded || now > ends_at(sent)) return false;
   if (!sent.counted || sent.is_repaired) return true;
   // Of a picture that nothing has arrived of, a fresh one is worth more.
   const bool may_be_mended = !sent.whole || sent.under_way > 0 || sent.whole->arrives;
@@ -133,7 +141,7 @@ Time Retransmitter::deadline(Time now) const {
   const Time from = ready(now);
   for (const SentSamplePtr& sent : open_) {
     if (!can_repair(*sent, now)) continue;
-    if (sent->expires != never) next = std::min(next, sent->expires + Duration{1});
+    if (sent->expires != never) next = std::min(next, ends_at(*sent) + Duration{1});
     if (sent->mends_with_bulk()) {
       // One that is due waits for the pace of bulk.
       if (sent->under_way == 0 && sent->repair_at > now) next = std::min(next, sent->repair_at);

@@ -182,6 +182,18 @@ TEST_F(Pieces, TheCapacityIsLearnedOfAPictureThatIsNeverComplete) {
   EXPECT_NEAR(link.sender.capacity_bytes_per_s(link.now) / expected_bytes_per_s, 1, 0.15);
 }
 
+TEST_F(Pieces, OneThatWouldOutliveItsLifespanOnTheWayIsNotSent) {
+  StreamRule rule = rule_of(TrafficClass::low);
+  rule.lifespan = 1000 * ms;
+  link.add(6, rule);
+  link.sender.offer(6, {{7, 1, link.now}, picture, nullptr}, link.now);
+  link.now += 990 * ms;
+  link.run(100 * ms);
+  EXPECT_EQ(link.count_sent(6), 0U);
+  const ClassCounts counts = link.counts(TrafficClass::low);
+  EXPECT_EQ(counts.dropped[static_cast<std::size_t>(DropReason::expired)], 1U);
+}
+
 TEST_F(Pieces, ARemovedStreamEndsItsPieces) {
   lose(1, {3});
   link.offer(1, 1, picture);

@@ -36,10 +36,10 @@ struct Transmission {
 /// Decides what the router puts on the link, and when.
 ///
 /// Order: strictly by class; in a class repairs at the pace of bulk, new samples, other repairs; no
-/// sample is sent that is older than its lifespan, none again that a newer one of its source has
-/// followed. The queue (LinkQueue), the pause (LinkGate), the pace (LinkPacer), the repairs
-/// (Retransmitter), the budgets (LinkAdaptation) and the counters (LinkCounters) are its parts.
-/// Peers are known by name; a new instance of one starts afresh.
+/// sample is sent that is older than its lifespan or would be on arrival, none again that a newer
+/// one of its source has followed. The queue (LinkQueue), the pause (LinkGate), the pace
+/// (LinkPacer), the repairs (Retransmitter), the budgets (LinkAdaptation) and the counters
+/// (LinkCounters) are its parts. Peers are known by name; a new instance of one starts afresh.
 ///
 ///     sender.offer(stream, sample, now);      // for each sample of the host
 ///     while (auto one = sender.next(now)) {   // after each call, and at deadline()
@@ -136,6 +136,8 @@ class LinkSender {
   [[nodiscard]] Transmission send_first(const Waiting& waiting, Time now);
   [[nodiscard]] std::optional<Transmission> next_of(TrafficClass traffic_class, Time now);
   [[nodiscard]] bool has_due_with_bulk(Time now) const;
+  /// Whether there is time left for it to cross within its lifespan.
+  [[nodiscard]] bool can_arrive(const Waiting& waiting, Time now) const;
   [[nodiscard]] SentSamplePtr make_sent(const Waiting& waiting);
   [[nodiscard]] Transmission transmit(const SentSamplePtr& sent, Time now);
   void apply(const std::vector<Settlement>& settlements, Time now);
