@@ -39,9 +39,27 @@ describe("ScanOnMap", () => {
     sut.onLocation(stamp(10000), { x: 5, y: 1, yaw: Math.PI / 2 });
     sut.onLocation(stamp(10200), { x: 5, y: 2, yaw: Math.PI / 2 });
     sut.onScan(scanAt(10190, [2, 1]));
-    near(sut.points(), [[5, 0.1], [6, 2.1]]);
+    near(sut.points(), [[5, 0.05], [6, 2.05]]);
     sut.onScan(scanAt(10010, [2, 1]));
-    near(sut.points(), [[5, -0.9], [6, 1.1]]);
+    near(sut.points(), [[5, -0.85], [6, 1.15]]);
+  });
+
+  it("each beam lies where the vehicle was when it was measured", () => {
+    const sut = mounted();
+    sut.onLocation(stamp(10000), { x: 0, y: 0, yaw: 0 });
+    sut.onLocation(stamp(10200), { x: 0, y: 0, yaw: Math.PI / 2 });
+    sut.onScan({ ...scanAt(10000, [2.1, 1]), time_increment: 0.2 });
+    near(sut.points(), [[-2, 0], [1, 0.1]]);
+  });
+
+  it("after the last location the vehicle goes on as before, the short way round", () => {
+    const sut = mounted();
+    sut.onLocation(stamp(10000), { x: 0, y: 0, yaw: Math.PI - 0.1 });
+    sut.onLocation(stamp(10200), { x: 0.2, y: 0, yaw: -Math.PI + 0.1 });
+    sut.onScan(scanAt(10100, [2.1]));
+    near(sut.points(), [[2.1, 0]]);
+    sut.onScan(scanAt(10300, [2.1]));
+    near(sut.points(), [[0.3 + 2 * Math.cos(0.2), 2 * Math.sin(0.2)]]);
   });
 
   it("what met nothing, is too near, or is no number, is no point", () => {

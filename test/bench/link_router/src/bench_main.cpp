@@ -150,6 +150,7 @@ Steps steps_of(const Variant& variant, const Options& options) {
   steps.categories = variant.categories;
   steps.params = options.params;
   steps.dscp = options.dscp;
+  if (!variant.repair) steps.params.low_repairs = 0;
   if (!variant.priority) {  // everything goes to the radio at once
     steps.params.bulk_backlog_s = 10;
     steps.params.bulk_under_way = 10000;
