@@ -108,7 +108,8 @@ bool Retransmitter::can_repair(const SentSample& sent, Time now) const {
   if (!sent.counted || sent.is_repaired) return true;
   // Of a picture that nothing has arrived of, a fresh one is worth more.
   const bool may_be_mended = !sent.whole || sent.under_way > 0 || sent.whole->arrives;
-  return may_be_mended && sent.transmissions <= static_cast<unsigned>(params_.low_repairs);
+  return may_be_mended && sent.cost.packets == 1 &&
+         sent.transmissions <= static_cast<unsigned>(params_.low_repairs);
 }
 
 bool Retransmitter::may_repair(const SentSample& sent, Time now) const {

@@ -77,6 +77,10 @@ TEST_F(Pieces, NothingIsDividedWhileSomebodyReadsWhoKnowsNoPieces) {
   link.run(50 * ms);
   ASSERT_EQ(link.sent.size(), 1U);
   EXPECT_TRUE(link.sent[0].piece.is_whole());
+  link.loses = [](const Transmission& one) { return one.sample.origin.sequence == 2; };
+  link.offer(1, 2, picture);
+  link.run(1000 * ms);
+  EXPECT_EQ(link.sent.size(), 2U) << "a whole picture is not sent again";
 }
 
 TEST_F(Pieces, OnlyWhatIsMissingIsSentAgainThoughItsClassIsNotRepaired) {

@@ -117,7 +117,7 @@ void FastDdsLinkBus::connect(FlowId id, Sending& sending) {
   const TrafficRule* const rule = rules_.find(sending.flow.topic);
   const auto on_reader = [this, id, on_demand = rule != nullptr && rule->on_demand](
                              const auto& peer, bool there) {
-    if (there) outside_readers_.on_reader(peer);
+    if (there && peer != link_->prefix()) outside_readers_.on_reader(peer);
     if (there || on_demand) table_.on_peer_listens(peer, id, there);
   };
   try {

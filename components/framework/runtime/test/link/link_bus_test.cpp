@@ -113,12 +113,16 @@ TEST_F(LinkBusTest, WhatIsOnDemandCrossesWhileSomebodyOnTheOtherHostReadsIt) {
 TEST_F(LinkBusTest, APictureCrossesInPiecesOfOnePacketEach) {
   RtpsCapture capture;
   if (!capture.ok()) GTEST_SKIP() << "no packet socket: CAP_NET_RAW is needed";
-  const Relay uxv(options(Role::uxv));
+  Relay uxv(options(Role::uxv));
   Relay gcs(options(Role::gcs));
   const auto vehicle = process(Role::uxv);
   const auto station = process(Role::gcs);
   Samples there;
   const auto far = station->subscribe(endpoint<topic::CameraImage>(), there);
+  // A topic of both sides, which each router writes and reads.
+  const auto near = vehicle->advertise(endpoint<topic::Heartbeat>());
+  const auto back = station->advertise(endpoint<topic::Heartbeat>());
+  ASSERT_TRUE(eventually([&] { return uxv.peer_flows().size() + gcs.peer_flows().size() > 1; }));
   const auto writer = vehicle->advertise(endpoint<topic::CameraImage>());
   const auto image = std::make_shared<topic::CameraImage::Message>();
   for (int i = 0; i < 30'001; ++i) image->data().push_back(static_cast<std::uint8_t>(i % 251));
