@@ -96,7 +96,9 @@ void LinkSender::set_wanted(const std::string& peer, StreamId stream, bool wante
     copy->counted = false;
     copy->superseded = false;
     copy->fate = SentSample::Fate::open;
-    for (const SentSamplePtr& piece : cut(copy, largest_piece_)) retransmitter_.add(piece);
+    for (const SentSamplePtr& piece : cut(copy, copy->is_stored ? 0 : largest_piece_)) {
+      retransmitter_.add(piece);
+    }
   }
 }
 
@@ -210,14 +212,20 @@ Transmission LinkSender::send_first(const Waiting& waiting, Time now) {
   counters_.on_first_sent(*sent);
   source_of(stream, sent->sample).sent = now;
   retransmitter_.supersede(*sent, stream.rule.depth);
-  const auto pieces = cut(sent, largest_piece_);
+  const auto pieces = in_pieces(sent);
+  burst_.assign(pieces.begin() + 1, pieces.end());
+  return transmit(pieces.front(), now);
+}
+
+std::vector<SentSamplePtr> LinkSender::in_pieces(const SentSamplePtr& sent) {
+  // What is stored is acknowledged whole or not at all: nothing else follows in another way.
+  auto pieces = cut(sent, sent->is_stored ? 0 : largest_piece_);
   const std::uint64_t burst = pieces.size() > 1 ? ++bursts_ : 0;
   for (const SentSamplePtr& piece : pieces) {
     piece->burst = burst;
     retransmitter_.add(piece);
   }
-  burst_.assign(pieces.begin() + 1, pieces.end());
-  return transmit(pieces.front(), now);
+  return pieces;
 }
 
 SentSamplePtr LinkSender::make_sent(const Waiting& waiting) {
@@ -376,7 +384,7 @@ Time LinkSender::backfill_opens(Time now) const {
   return gate_.is_paused() ? never : pacer_.idle_from(now);
 }
 
-Transmission LinkSender::backfill(StreamId stream, const Sample& sample, Time now) {
+std::vector<Transmission> LinkSender::backfill(StreamId stream, const Sample& sample, Time now) {
   const auto sent = std::make_shared<SentSample>();
   sent->stream = stream;
   sent->traffic_class = streams_.at(stream).rule.traffic_class;
@@ -387,8 +395,9 @@ Transmission LinkSender::backfill(StreamId stream, const Sample& sample, Time no
   sent->counted = false;
   sent->superseded = true;
   sent->missing = paths_.readers_of(stream);
-  retransmitter_.add(sent);
-  return transmit(sent, now);
+  std::vector<Transmission> all;
+  for (const SentSamplePtr& piece : in_pieces(sent)) all.push_back(transmit(piece, now));
+  return all;
 }
 
 std::vector<StreamBudget> LinkSender::budgets(Time now) const {

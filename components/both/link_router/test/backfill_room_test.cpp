@@ -26,8 +26,15 @@ class BackfillRoomTest : public ::testing::Test {
   static Sample sample(std::uint64_t sequence, std::size_t bytes) {
     return {{7, sequence, {}}, bytes, nullptr};
   }
+  /// Puts all of it on the wire. Returns in how many transmissions.
+  std::size_t send(std::uint64_t sequence, std::size_t bytes) {
+    const auto all = sut_.backfill(backfills, sample(sequence, bytes), now_);
+    for (const Transmission& one : all) sut_.on_written(one, ++last_number_);
+    return all.size();
+  }
   Time now_{std::chrono::hours(1)};
   LinkSender sut_{LinkRouterParams{}};
+  TransmissionNumber last_number_ = 0;
 };
 
 TEST_F(BackfillRoomTest, NothingGoesBeforeTheRadiosQueueIsEmpty) {
@@ -51,8 +58,8 @@ TEST_F(BackfillRoomTest, OneGoesAtATime) {
 TEST_F(BackfillRoomTest, TwoLargeOnesWaitForTheirAcknowledgementThoughTheQueueIsEmpty) {
   for (const std::uint64_t number : {1U, 2U}) {
     EXPECT_TRUE(sut_.may_backfill(now_)) << number;
-    sut_.on_written(sut_.backfill(backfills, sample(number, 40'000), now_), number);
-    now_ += std::chrono::seconds(1);  // 0.4 s of the capacity
+    EXPECT_EQ(send(number, 20'000), 17U) << "pieces";
+    now_ += std::chrono::milliseconds(250);  // 0.22 s of the capacity
   }
   EXPECT_FALSE(sut_.may_backfill(now_));
   EXPECT_EQ(sut_.backfill_opens(now_), never);
@@ -60,7 +67,7 @@ TEST_F(BackfillRoomTest, TwoLargeOnesWaitForTheirAcknowledgementThoughTheQueueIs
 
 TEST_F(BackfillRoomTest, WhileNobodyAnswersOneGoesEachHalfSecond) {
   for (const std::uint64_t number : {1U, 2U, 3U}) {
-    sut_.on_written(sut_.backfill(backfills, sample(number, 200), now_), number);
+    EXPECT_EQ(send(number, 200), 1U);
   }
   now_ += std::chrono::seconds(1);
   EXPECT_TRUE(sut_.may_backfill(now_));

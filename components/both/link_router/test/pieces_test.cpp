@@ -83,6 +83,15 @@ TEST_F(Pieces, NothingIsDividedWhileSomebodyReadsWhoKnowsNoPieces) {
   EXPECT_EQ(link.sent.size(), 2U) << "a whole picture is not sent again";
 }
 
+TEST_F(Pieces, AStoredSampleGoesWholeSoThatNothingOfItCountsAsDeliveredBeforeAllIs) {
+  StreamRule rule = rule_of(TrafficClass::low);
+  rule.stored = true;
+  link.add(7, rule);
+  link.offer(7, 1, picture);
+  link.run(50 * ms);
+  EXPECT_EQ(link.count_sent(7), 1U);
+}
+
 TEST_F(Pieces, OnlyWhatIsMissingIsSentAgainThoughItsClassIsNotRepaired) {
   lose(1, {0, 7, 12});
   link.offer(1, 1, picture);

@@ -165,7 +165,7 @@ class RandomStore {
       const auto stream = static_cast<StreamId>(1 + below(streams));
       const auto source = static_cast<SourceId>(below(sources));
       const Origin origin{source, ++sequences_[{stream, source}], now_};
-      const auto bytes = static_cast<std::size_t>(1 + below(600));
+      const auto bytes = static_cast<std::size_t>(1 + below(chance(0.1) ? 6000 : 600));
       const SampleId id = id_of(stream, origin);
       backfill_->offer(id);
       const auto logged =
@@ -184,9 +184,11 @@ class RandomStore {
       EXPECT_FALSE(paused_) << "silent while paused";
       std::size_t bytes = 160;
       for (const auto& entry : batch->samples) bytes += entry.bytes.size() + 28;
-      const Origin origin{0, ++batches_, now_};
+      const Origin origin{0, std::uint64_t{batch->session} << 32U | batch->number, now_};
       const Sample sample{origin, bytes, nullptr};
-      put(sender_->backfill(backfill_stream, sample, now_), *batch);
+      for (const Transmission& one : sender_->backfill(backfill_stream, sample, now_)) {
+        put(one, *batch);
+      }
     }
     EXPECT_GT(sender_->deadline(now_), now_);
   }
@@ -282,7 +284,6 @@ class RandomStore {
   bool paused_ = false;
   double loss_ = 0;
   int delay_ms_ = 5;
-  std::uint64_t batches_ = 0;
   std::map<StreamId, TransmissionNumber> numbers_;
   std::multimap<Time, OnAir> air_;
   std::multimap<Time, std::pair<LinkAcknowledgement, BackfillProgress>> confirmations_;

@@ -97,8 +97,9 @@ class LinkSender {
   [[nodiscard]] bool may_backfill(Time now) const;
   /// When may_backfill() can become true though nothing happens; `never` when it cannot.
   [[nodiscard]] Time backfill_opens(Time now) const;
-  /// A sample of that stream goes on the wire at once.
-  [[nodiscard]] Transmission backfill(StreamId stream, const Sample& sample, Time now);
+  /// A sample of that stream goes on the wire at once, in the pieces that it makes. Those of a
+  /// sample that is sent once more fill the gaps of the first.
+  [[nodiscard]] std::vector<Transmission> backfill(StreamId stream, const Sample& sample, Time now);
 
   /// Streams that are not `send` are silent while it is paused.
   void set_paused(bool paused, Time now);
@@ -139,6 +140,8 @@ class LinkSender {
   /// Whether there is time left for it to cross within its lifespan.
   [[nodiscard]] bool can_arrive(const Waiting& waiting, Time now) const;
   [[nodiscard]] SentSamplePtr make_sent(const Waiting& waiting);
+  /// That are sent one after the other, at once.
+  [[nodiscard]] std::vector<SentSamplePtr> in_pieces(const SentSamplePtr& sent);
   [[nodiscard]] Transmission transmit(const SentSamplePtr& sent, Time now);
   void apply(const std::vector<Settlement>& settlements, Time now);
   void apply(const Settlement& settlement, Time now);

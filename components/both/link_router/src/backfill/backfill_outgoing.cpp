@@ -116,7 +116,8 @@ CarriedSample BackfillOutgoing::packed(const router::BackfillBatch& batch) {
   message->type(flow.type);
   message->user_data(flow.user_data);
   CarriedSample sample = parts_.link.pack(type_info<BackfillMessage>(), std::move(message));
-  sample.sequence = ++batches_;
+  // The same for a batch that is sent once more, so that its pieces complete each other.
+  sample.sequence = std::uint64_t{batch.session} << 32U | batch.number;
   return sample;
 }
 
@@ -126,10 +127,12 @@ void BackfillOutgoing::send(Time now) {
     const auto batch = parts_.sender.next(now, out.capacity_bytes_per_s(now));
     if (!batch) return;
     const CarriedSample sample = packed(*batch);
-    const auto transmission =
+    const auto pieces =
         out.backfill(*flow_, {{0, sample.sequence, now}, sample.bytes, sample.content}, now);
-    if (const auto number = parts_.link.send(*flow_, sample, {})) {
-      out.on_written(transmission, *number);
+    for (const router::Transmission& one : pieces) {
+      if (const auto number = parts_.link.send(*flow_, sample, one.piece)) {
+        out.on_written(one, *number);
+      }
     }
   }
 }

@@ -74,7 +74,6 @@ class BackfillOutgoing {
   std::map<FlowId, std::uint64_t> keys_;  ///< of stored streams, by flow on the link
   std::map<PeerId, LinkPeer> readers_;
   std::optional<LinkPeer> session_;
-  std::uint64_t batches_ = 0;
 };
 
 }  // namespace tocsin
