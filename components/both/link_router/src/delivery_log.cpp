@@ -100,6 +100,15 @@ std::vector<Settlement> DeliveryLog::forget_peer(PeerIndex peer) {
   return settled;
 }
 
+Settlement DeliveryLog::receive(Record& record, Copy& copy,
+                                const StreamAcknowledgement& acknowledgement, Time made) {
+  Settlement one = settle(record, copy, true);
+  one.is_exact = record.number == acknowledgement.highest && acknowledgement.age < longest_age;
+  one.arrived = one.is_exact ? made - acknowledgement.age : made;
+  if (one.is_exact) highest_[{acknowledgement.stream, copy.peer}] = {record.number, copy.expected};
+  return one;
+}
+
 void DeliveryLog::take_stream(PeerIndex peer, const StreamAcknowledgement& acknowledgement,
                               Time made, std::vector<Settlement>& settled) {
   const auto found = streams_.find(acknowledgement.stream);
@@ -109,11 +118,7 @@ void DeliveryLog::take_stream(PeerIndex peer, const StreamAcknowledgement& ackno
     if (!names(acknowledgement, record->number)) continue;
     for (Copy& copy : record->copies) {
       if (copy.peer != peer || copy.received) continue;
-      Settlement one = settle(*record, copy, true);
-      one.is_exact = record->number == acknowledgement.highest && acknowledgement.age < longest_age;
-      one.arrived = one.is_exact ? made - acknowledgement.age : made;
-      if (one.is_exact) highest_[{acknowledgement.stream, peer}] = {record->number, copy.expected};
-      settled.push_back(std::move(one));
+      settled.push_back(receive(*record, copy, acknowledgement, made));
     }
   }
   // No later acknowledgement changes what every peer has acknowledged.

@@ -134,6 +134,8 @@ class DeliveryLog {
   template <class Ends>
   void give_up(Ends ends, std::vector<Settlement>& settled);
   static Settlement settle(Record& record, Copy& copy, bool received);
+  [[nodiscard]] Settlement receive(Record& record, Copy& copy,
+                                   const StreamAcknowledgement& acknowledgement, Time made);
   void drop_settled();
 
   Duration patience_;
