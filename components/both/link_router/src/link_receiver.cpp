@@ -91,6 +91,7 @@ std::list<LinkReceiver::Partial>::iterator LinkReceiver::partial_of(Stream& stre
 
 std::optional<std::vector<std::shared_ptr<const void>>> LinkReceiver::on_piece(
     const std::string& peer, const Arrived& arrived, Time now) {
+  if (arrived.piece.is_whole()) return std::vector{arrived.content};
   const auto known = peers_.find(peer);
   if (known == peers_.end()) return std::nullopt;
   const auto found = known->second.streams.find(arrived.stream);

@@ -96,9 +96,7 @@ void LinkSender::set_wanted(const std::string& peer, StreamId stream, bool wante
     copy->counted = false;
     copy->superseded = false;
     copy->fate = SentSample::Fate::open;
-    for (const SentSamplePtr& piece : cut(copy, copy->is_stored ? 0 : largest_piece_)) {
-      retransmitter_.add(piece);
-    }
+    for (const SentSamplePtr& piece : pieces_of(copy)) retransmitter_.add(piece);
   }
 }
 
@@ -217,9 +215,13 @@ Transmission LinkSender::send_first(const Waiting& waiting, Time now) {
   return transmit(pieces.front(), now);
 }
 
-std::vector<SentSamplePtr> LinkSender::in_pieces(const SentSamplePtr& sent) {
+std::vector<SentSamplePtr> LinkSender::pieces_of(const SentSamplePtr& sent) const {
   // What is stored is acknowledged whole or not at all: nothing else follows in another way.
-  auto pieces = cut(sent, sent->is_stored ? 0 : largest_piece_);
+  return cut(sent, sent->is_stored ? 0 : largest_piece_);
+}
+
+std::vector<SentSamplePtr> LinkSender::in_pieces(const SentSamplePtr& sent) {
+  auto pieces = pieces_of(sent);
   const std::uint64_t burst = pieces.size() > 1 ? ++bursts_ : 0;
   for (const SentSamplePtr& piece : pieces) {
     piece->burst = burst;

@@ -186,7 +186,7 @@ void FaultyLink::receive() {
 void FaultyLink::take(StreamId id, const OnAir& one) {
   const Origin& origin = one.what.sample.origin;
   const Arrived arrived{id, one.number, origin, one.what.piece, nullptr};
-  if (!one.what.piece.is_whole() && !receiver_->on_piece(vehicle, arrived, now_)) return;
+  if (!receiver_->on_piece(vehicle, arrived, now_)) return;
   const auto disposition = receiver_->on_arrived(vehicle, arrived, now_);
   if (disposition != Disposition::deliver || !one.honest) return;
   ++deliveries_;

@@ -106,7 +106,7 @@ class LinkPair {
     while (!air_.empty() && air_.front().arrives <= now) {
       const auto& [arrives, one, number] = air_.front();
       const Arrived arrived{one.stream, number, one.sample.origin, one.piece, nullptr};
-      if (one.piece.is_whole() || receiver.on_piece("vehicle", arrived, now + clock_difference)) {
+      if (receiver.on_piece("vehicle", arrived, now + clock_difference)) {
         give(arrived);
       }
       air_.pop_front();

@@ -109,7 +109,7 @@ class RadioPair {
     const WireCost cost = wire_cost(one.sample.bytes, one.piece);
     const Arrived arrived{one.stream, number, one.sample.origin, one.piece, nullptr};
     push(radio::Direction::uplink, cost, [this, arrived](Time at) {
-      if (arrived.piece.is_whole() || receiver.on_piece("vehicle", arrived, at)) give(arrived, at);
+      if (receiver.on_piece("vehicle", arrived, at)) give(arrived, at);
     });
   }
   void give(const Arrived& arrived, Time at) {

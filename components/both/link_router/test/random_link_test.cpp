@@ -152,7 +152,7 @@ class RandomLink {
       const auto& [one, number] = air_.begin()->second;
       const Origin& origin = one.sample.origin;
       const Arrived arrived{one.stream, number, origin, one.piece, nullptr};
-      if (!one.piece.is_whole() && !receiver_->on_piece("vehicle", arrived, now_)) continue;
+      if (!receiver_->on_piece("vehicle", arrived, now_)) continue;
       const Disposition disposition = receiver_->on_arrived("vehicle", arrived, now_);
       if (disposition != Disposition::deliver) continue;
       ++deliveries_;

@@ -216,7 +216,7 @@ class RandomStore {
       const auto& [one, number, batch] = air_.begin()->second;
       const Origin& origin = one.sample.origin;
       const Arrived arrived{one.stream, number, origin, one.piece, nullptr};
-      if (!one.piece.is_whole() && !receiver_->on_piece("vehicle", arrived, now_)) continue;
+      if (!receiver_->on_piece("vehicle", arrived, now_)) continue;
       const auto disposition = receiver_->on_arrived("vehicle", arrived, now_);
       if (one.stream == backfill_stream) {
         take(batch);

@@ -105,7 +105,7 @@ void RouterRadio::arrive(const Cargo& cargo, Time now, const Deliver& deliver) {
   const auto& one = std::get<router::Transmission>(cargo.what);
   router::LinkReceiver& receiver = *receivers_[cargo.to];
   const router::Arrived arrived{one.stream, cargo.number, one.sample.origin, one.piece, nullptr};
-  if (!one.piece.is_whole() && !receiver.on_piece(peer, arrived, now)) return;
+  if (!receiver.on_piece(peer, arrived, now)) return;
   if (receiver.on_arrived(peer, arrived, now) == router::Disposition::deliver) {
     deliver(cargo.to, one.stream, one.sample.origin, now);
   }

@@ -55,8 +55,8 @@ class LinkReceiver {
 
   [[nodiscard]] Disposition on_arrived(const std::string& peer, const Arrived& arrived, Time now);
   /// A piece. When all pieces of its sample are there, their contents in order: then the sample has
-  /// arrived, with this transmission, and is for on_arrived(). Of a stream, 8 samples are put
-  /// together at once; then the oldest goes.
+  /// arrived, with this transmission, and is for on_arrived(). A whole sample is its own piece. Of
+  /// a stream, 8 samples are put together at once; then the oldest goes.
   [[nodiscard]] std::optional<std::vector<std::shared_ptr<const void>>> on_piece(
       const std::string& peer, const Arrived& arrived, Time now);
 

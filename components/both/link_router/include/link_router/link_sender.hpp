@@ -140,7 +140,8 @@ class LinkSender {
   /// Whether there is time left for it to cross within its lifespan.
   [[nodiscard]] bool can_arrive(const Waiting& waiting, Time now) const;
   [[nodiscard]] SentSamplePtr make_sent(const Waiting& waiting);
-  /// That are sent one after the other, at once.
+  [[nodiscard]] std::vector<SentSamplePtr> pieces_of(const SentSamplePtr& sent) const;
+  /// The same, which are sent one after the other, at once.
   [[nodiscard]] std::vector<SentSamplePtr> in_pieces(const SentSamplePtr& sent);
   [[nodiscard]] Transmission transmit(const SentSamplePtr& sent, Time now);
   void apply(const std::vector<Settlement>& settlements, Time now);
