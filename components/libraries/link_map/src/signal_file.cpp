@@ -26,6 +26,7 @@ const std::array<Words, 3> usual_names{
     Words{"x_m", "x", "pose_x", "pos_x", "position_x", "robot_pos_x"},
     Words{"y_m", "y", "pose_y", "pos_y", "position_y", "robot_pos_y"},
     Words{"signal_dbm", "rssi_dbm", "rssi", "signal", "dbm", "C_level_a"}};
+constexpr const char* loss_name = "loss_percent";  // need not be there
 
 Words split(std::string_view line, char separator) {
   Words words;
@@ -90,6 +91,14 @@ double number_in(const std::string& cell, const std::string& column, const std::
       fmt::format("{}:{}: {}: '{}' is no number", name, line, printable(column), printable(cell)));
 }
 
+/// NaN: not told.
+double lost_share_in(const Words& cells, const Words& header, const std::string& name,
+                     std::size_t line) {
+  const auto place = find(header, {loss_name});
+  if (!place || *place >= cells.size()) return nan;
+  return number_in(cells[*place], loss_name, name, line) / 100;
+}
+
 }  // namespace
 
 std::vector<Reading> signals_in(std::string_view text, const std::string& name,
@@ -118,17 +127,20 @@ std::vector<Reading> signals_in(std::string_view text, const std::string& name,
       }
       values[i] = number_in(cells[places[i]], header[places[i]], name, line);
     }
-    readings.push_back({{values[0], values[1]}, values[2]});
+    readings.push_back(
+        {{values[0], values[1]}, values[2], lost_share_in(cells, header, name, line)});
   }
   if (header.empty()) throw ConfigError(name + ": is empty");
   return readings;
 }
 
 std::string signal_text(const std::vector<Reading>& readings) {
-  std::string text = "x_m,y_m,signal_dbm\n";
+  std::string text = fmt::format("x_m,y_m,signal_dbm,{}\n", loss_name);
   for (const Reading& reading : readings) {
-    text +=
-        fmt::format("{:.2f},{:.2f},{:.1f}\n", reading.at.x_m, reading.at.y_m, reading.signal_dbm);
+    const std::string lost =
+        std::isnan(reading.lost_share) ? "" : fmt::format("{:.0f}", 100 * reading.lost_share);
+    text += fmt::format("{:.2f},{:.2f},{:.1f},{}\n", reading.at.x_m, reading.at.y_m,
+                        reading.signal_dbm, lost);
   }
   return text;
 }

@@ -90,6 +90,17 @@ CostMap::CostMap(const CostMap& base, const std::vector<CellIndex>& obstacles,
   }
 }
 
+CostMap::CostMap(const CostMap& base, const LinkRisk& risk, double weight) : CostMap(base) {
+  for (int row = 0; row < grid_.height; ++row) {
+    for (int column = 0; column < grid_.width; ++column) {
+      std::uint16_t& cost = costs_[grid_.offset({column, row})];
+      if (cost == 0) continue;
+      const double dear = cost * (1 + weight * risk.at(grid_.centre({column, row})));
+      cost = static_cast<std::uint16_t>(std::lround(std::min(dear, double{dearest})));
+    }
+  }
+}
+
 void CostMap::raise(CellIndex wall, const DiscRow& disc) {
   const int row = wall.row + disc.row;
   if (row < 0 || row >= grid_.height) return;

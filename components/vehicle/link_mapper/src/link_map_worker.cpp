@@ -14,9 +14,10 @@ constexpr std::size_t most_places = 300;  // a tenth of a second of learning
 
 }  // namespace
 
-void LinkMapWorker::learn(const std::vector<link_map::Place>& places) {
-  background_->post([this, places = some_of(places, most_places)] {
-    SignalGrid grid = grid_of(link_map::LinkMap(places), places);
+void LinkMapWorker::learn(link_map::Survey survey) {
+  background_->post([this, survey = std::move(survey)] {
+    const auto places = some_of(survey.places(), most_places);
+    LinkGrid grid = grid_of(link_map::LinkMap(places), fit_loss_curve(survey.readings()), places);
     const std::lock_guard<std::mutex> lock(mutex_);
     grid_ = std::move(grid);
   });
@@ -31,7 +32,7 @@ void LinkMapWorker::save(const std::string& path, std::vector<link_map::Reading>
   });
 }
 
-std::optional<SignalGrid> LinkMapWorker::take_grid() {
+std::optional<LinkGrid> LinkMapWorker::take_grid() {
   const std::lock_guard<std::mutex> lock(mutex_);
   return std::exchange(grid_, std::nullopt);
 }

@@ -23,6 +23,13 @@ bool exists(const std::string& path) {
   return std::filesystem::exists(path, ignored);
 }
 
+/// A card that has lost its network tells no signal, which is the worst that there is.
+double signal_of(const topic::NetworkQuality::Message& quality) {
+  constexpr double lost_dbm = -95;
+  const bool is_lost = quality.per_percent() >= 100 && quality.wireless_source() != "absent";
+  return std::isnan(quality.signal_dbm()) && is_lost ? lost_dbm : quality.signal_dbm();
+}
+
 }  // namespace
 
 LinkMapperComponent::LinkMapperComponent(Context& context, const Params& params)
@@ -30,7 +37,7 @@ LinkMapperComponent::LinkMapperComponent(Context& context, const Params& params)
       params_(params),
       keeps_files_(context.computer.get().keeps_files),
       worker_(context.computer.get().open_background()) {
-  if (!keeps() || !exists(file())) return;
+  if (params_.map_name.empty() || !exists(file())) return;
   for (const auto& reading : link_map::signals_in(read_file(file(), longest_file), file(), "")) {
     if (survey_.add(reading)) ++unlearned_;
   }
@@ -64,7 +71,7 @@ void LinkMapperComponent::take_pose(Time now) {
 void LinkMapperComponent::take_quality(Time now) {
   while (const auto quality = quality_.take()) {
     if (!at_ || now - at_since_ > pose_serves) continue;
-    if (!survey_.add({*at_, quality->signal_dbm()})) continue;
+    if (!survey_.add({*at_, signal_of(*quality), quality->per_percent() / 100.0})) continue;
     ++unlearned_;
     ++unsaved_;
   }
@@ -75,22 +82,29 @@ void LinkMapperComponent::learn(Time now) {
   if (!is_due || survey_.size() < link_map::LinkMap::least_places) return;
   next_learn_ = next_instant(seconds(params_.learn_every_s), now);
   unlearned_ = 0;
-  worker_.learn(survey_.places());
+  worker_.learn(survey_);
+}
+
+nav_msgs::msg::OccupancyGrid LinkMapperComponent::message_of(const LinkGrid& grid, Time now) const {
+  nav_msgs::msg::OccupancyGrid message;
+  message.header().stamp(wall(now));
+  message.header().frame_id("map");
+  message.info().map_load_time(wall(now));
+  message.info().resolution(static_cast<float>(LinkGrid::cell_m));
+  message.info().width(static_cast<std::uint32_t>(grid.width));
+  message.info().height(static_cast<std::uint32_t>(grid.height));
+  message.info().origin().position().x(grid.origin.x_m);
+  message.info().origin().position().y(grid.origin.y_m);
+  message.info().origin().orientation().w(1);
+  return message;
 }
 
 void LinkMapperComponent::publish(Time now) {
   auto grid = worker_.take_grid();
   if (!grid) return;
-  topic::LinkMap::Message message;
-  message.header().stamp(wall(now));
-  message.header().frame_id("map");
-  message.info().map_load_time(wall(now));
-  message.info().resolution(static_cast<float>(SignalGrid::cell_m));
-  message.info().width(static_cast<std::uint32_t>(grid->width));
-  message.info().height(static_cast<std::uint32_t>(grid->height));
-  message.info().origin().position().x(grid->origin.x_m);
-  message.info().origin().position().y(grid->origin.y_m);
-  message.info().origin().orientation().w(1);
+  auto message = message_of(*grid, now);
+  message.data(std::move(grid->risk));
+  if (risk_.write(message) == Status::failed) log().warn("no risk of the link was told");
   message.data(std::move(grid->cells));
   if (map_.write(std::move(message)) == Status::failed) log().warn("no map of the link was sent");
 }

@@ -47,16 +47,18 @@ class LinkMapperComponentTest : public ::testing::Test {
     pose.pose().covariance()[0] = pose.pose().covariance()[7] = deviation_m * deviation_m;
     bus_.publish<topic::AmclPose>(pose);
   }
-  void measure(double signal_dbm) {
+  void measure(double signal_dbm, double lost_share = 0) {
     topic::NetworkQuality::Message quality;
+    quality.wireless_source("nl80211");
     quality.signal_dbm(static_cast<float>(signal_dbm));
+    quality.per_percent(static_cast<float>(100 * lost_share));
     bus_.publish<topic::NetworkQuality>(quality);
   }
   void drive(int steps, double deviation_m = 0.02) {
     for (int i = 0; i < steps; ++i) {
       x_m_ += 0.4;
       tell_pose(deviation_m);
-      measure(-40 - 2 * x_m_);
+      measure(-40 - 2 * x_m_, x_m_ < 20 ? 0 : 1);
       bus_.run_for(seconds(0.2));
       for (auto& grid : grids_.take()) grid_ = std::move(grid);
     }
@@ -75,6 +77,7 @@ class LinkMapperComponentTest : public ::testing::Test {
   LinkMapperComponent::Params params_;
   std::unique_ptr<LinkMapperComponent> sut_;
   SimReader<topic::LinkMap> grids_{bus_};
+  SimReader<topic::LinkRisk> risks_{bus_};
   topic::LinkMap::Message grid_;
   double x_m_ = 0;
 };
@@ -96,6 +99,33 @@ TEST_F(LinkMapperComponentTest, PublishesWhatItHasLearned) {
   };
   EXPECT_NEAR(at(2), 100 * (14.0 / 60), 6);
   EXPECT_NEAR(at(12), 100 * (34.0 / 60), 6);
+}
+
+TEST_F(LinkMapperComponentTest, TellsWhereTheLinkIsLost) {
+  start();
+  drive(75);  // from where nothing is lost to -100 dBm
+  const auto risks = risks_.take();
+  ASSERT_FALSE(risks.empty());
+  const auto& risk = risks.back();
+  ASSERT_EQ(risk.data().size(), std::size_t{risk.info().width()} * risk.info().height());
+  const auto at = [&risk](double x_m) {
+    const auto column = static_cast<std::size_t>((x_m - risk.info().origin().position().x()) / 0.5);
+    const auto row = static_cast<std::size_t>((1 - risk.info().origin().position().y()) / 0.5);
+    return int{static_cast<std::int8_t>(risk.data()[row * risk.info().width() + column])};
+  };
+  EXPECT_LT(at(10), 2);
+  EXPECT_NEAR(at(20), 50, 25) << "half is lost at -80 dBm";
+  EXPECT_GT(at(27), 90);
+}
+
+TEST_F(LinkMapperComponentTest, ACardWithoutItsNetworkIsTheWorstSignal) {
+  start();
+  drive(1);
+  x_m_ += 0.4;
+  tell_pose();
+  measure(nan, 1);
+  bus_.run_for(seconds(3));
+  EXPECT_EQ(lines(), 3U);
 }
 
 TEST_F(LinkMapperComponentTest, LearnsOnlyWhereThePoseIsWellKnown) {

@@ -34,7 +34,8 @@ Navigator::Navigator(const Params& params, navigation::OccupancyMap map,
                      std::shared_ptr<const navigation::CostMap> costs)
     : params_(params),
       surroundings_(params.surroundings, params.inflation, std::move(map), std::move(costs)),
-      follower_(params.follower) {}
+      follower_(params.follower),
+      reconnection_(params.reconnection) {}
 
 void Navigator::set_live(const Params& params) {
   params_.link_lost_after_s = params.link_lost_after_s;
@@ -74,6 +75,7 @@ Navigator::Output Navigator::update(Time now) {
   look_around_.end();
   if (!goals_.present()) return stand(State::idle, follower_.brake(dt), "no_goal");
   if (is_link_lost(now) && params_.on_link_lost == OnLinkLost::go_home) return go_home(now, dt);
+  if (reconnects(now)) return reconnect(now, dt);
   const char* const reason = reason_to_hold(now);
   if (reason != nullptr && !stands_at_goal()) {
     return stand(State::held, follower_.brake(dt), reason);
@@ -134,8 +136,41 @@ Navigator::Output Navigator::stand(State state, const geometry::Twist& velocity,
   return {velocity, status(state, nan, reason)};
 }
 
+/// Once on the way to each goal, so that one beyond a dead zone is reached, and when it expires.
+bool Navigator::reconnects(Time now) {
+  if (params_.on_link_lost != OnLinkLost::reconnect) return false;
+  if (!is_link_lost(now)) {
+    if (reconnection_.is_on()) resumed_goal_ = goals_.present_number();
+    reconnection_.end();
+    return false;
+  }
+  return reconnection_.is_on() || resumed_goal_ != goals_.present_number() ||
+         now >= goals_.present()->expires;
+}
+
+Navigator::Output Navigator::reconnect(Time now, Duration dt) {
+  const auto& link = surroundings_.link();
+  if (!link) return go_home(now, dt);
+  const geometry::Point here = position(pose_);
+  const auto place =
+      reconnection_.place(surroundings_.costs(), *link, here, position(goals_.present()->pose),
+                          params_.follower.speed_mps);
+  if (!place) return stand(State::held, follower_.brake(dt), "link_lost");
+  const geometry::Pose target{place->x_m, place->y_m, pose_.heading_rad};
+  constexpr std::uint64_t first_place = std::uint64_t{1} << 63U;  // no goal has such a number
+  Output output = drive_unheard({first_place + places_, target, home_tolerance_m}, now, dt);
+  const bool is_shut = blocked_since_ && blocked_reason_ == std::string_view("no_path");
+  if (is_shut) reconnection_.give_up();
+  if (is_shut || (reached_ && reconnection_.on_arrival(now))) ++places_;
+  return output;
+}
+
 Navigator::Output Navigator::go_home(Time now, Duration dt) {
-  Output output = drive({0, *home_, home_tolerance_m}, now, dt);
+  return drive_unheard({0, *home_, home_tolerance_m}, now, dt);
+}
+
+Navigator::Output Navigator::drive_unheard(const Target& target, Time now, Duration dt) {
+  Output output = drive(target, now, dt);
   output.status.state = State::held;  // the goal is not driven to
   output.status.reason = "link_lost";
   output.status.distance_m = nan;
@@ -162,6 +197,7 @@ bool Navigator::has_arrived(const Target& target) const {
 
 void Navigator::take_up(const Target& target) {
   target_key_ = target.key;
+  surroundings_.begin_way();
   has_path_ = false;
   arrived_ = false;
   reached_ = false;

@@ -46,6 +46,7 @@ NavigatorComponent::NavigatorComponent(Context& context, const Params& params)
   if (params.localisation == PoseSource::localiser)
     amcl_pose_.emplace(*this, WakeMode::time_triggered);
   if (params.navigator.surroundings.avoid_obstacles) obstacles_.emplace(*this);
+  if (params.navigator.heeds_link()) link_.emplace(*this);
 }
 
 void NavigatorComponent::set_parameters(const Params& params) {
@@ -59,6 +60,7 @@ void NavigatorComponent::tick(Time now) {
   take_odometry(now);
   take_localiser(now);
   if (obstacles_) obstacles_->take(navigator_, now);
+  if (link_) link_->take(navigator_);
   const bool is_ordered = take_orders(now);
   report_location(now);
   if (is_turn(now) || is_ordered) {
@@ -192,6 +194,7 @@ void NavigatorComponent::report_status(const Navigator::Status& status, Time now
 }
 
 void NavigatorComponent::report_plan(Time now) {
+  if (link_) link_->report(navigator_, params_.navigator.follower.speed_mps, wall(now));
   if (navigator_.plans() == plans_ || !plan_.wanted()) return;
   plans_ = navigator_.plans();
   topic::Plan::Message message;

@@ -18,14 +18,16 @@ Surroundings::Surroundings(const Params& params, const navigation::InflationPara
       inflation_(inflation),
       map_(std::move(map)),
       costs_(std::move(costs)),
+      planned_costs_(costs_),
       planner_(costs_),
-      obstacles_(map_, params.obstacles) {}
+      obstacles_(map_, params.obstacles),
+      chooser_(params.link_detour) {}
 
 void Surroundings::set_map(const navigation::OccupancyMap& map) {
   is_growing_ = true;
   map_ = map;
   costs_ = std::make_shared<const navigation::CostMap>(map, inflation_);
-  planner_ = navigation::Planner(costs_);
+  plan_round({});
   obstacles_.set_map(map);
 }
 
@@ -40,6 +42,11 @@ void Surroundings::on_touch(const geometry::Point& at, Time now) {
   if (params_.avoid_obstacles) obstacles_.on_touch(at, now);
 }
 
+void Surroundings::set_link(navigation::LinkRisk risk) {
+  link_ = std::move(risk);
+  has_new_link_ = params_.link_detour > 0;
+}
+
 bool Surroundings::sees(Time now) const {
   return !params_.avoid_obstacles || (seen_ && now - *seen_ <= seconds(params_.scan_timeout_s));
 }
@@ -47,10 +54,20 @@ bool Surroundings::sees(Time now) const {
 std::optional<geometry::Path> Surroundings::plan(const geometry::Point& from,
                                                  const geometry::Point& to, Time now) {
   planned_ = now;
+  has_new_link_ = false;
+  choice_.reset();
+  auto path = shortest(from, to);
+  if (!path || !link_ || params_.link_detour == 0) return path;
+  choice_ = chooser_.choose(std::move(*path), *planned_costs_, *link_);
+  return choice_->way.path;
+}
+
+std::optional<geometry::Path> Surroundings::shortest(const geometry::Point& from,
+                                                     const geometry::Point& to) {
   const auto cells = obstacles_.cells();
   if (obstacles_.version() != planned_version_) {
     planned_version_ = obstacles_.version();
-    planner_ = planner_round(cells, inflation_);
+    plan_round(cells);
   }
   auto path = planner_.plan(from, to);
   if (path || (cells.empty() && !is_growing_)) return path;
@@ -64,14 +81,14 @@ std::optional<geometry::Path> Surroundings::plan(const geometry::Point& from,
       .plan(from, to);
 }
 
-navigation::Planner Surroundings::planner_round(const std::vector<navigation::CellIndex>& cells,
-                                                const navigation::InflationParams& by) const {
-  return navigation::Planner(std::make_shared<const navigation::CostMap>(*costs_, cells, by));
+void Surroundings::plan_round(const std::vector<navigation::CellIndex>& obstacles) {
+  planned_costs_ = std::make_shared<const navigation::CostMap>(*costs_, obstacles, inflation_);
+  planner_ = navigation::Planner(planned_costs_);
 }
 
 bool Surroundings::wants_plan(Time now) const {
-  return planned_ && obstacles_.version() != planned_version_ &&
-         now - *planned_ >= seconds(params_.replan_period_s);
+  const bool has_changed = obstacles_.version() != planned_version_ || has_new_link_;
+  return planned_ && has_changed && now - *planned_ >= seconds(params_.replan_period_s);
 }
 
 bool Surroundings::collides(double x_m, double y_m, double radius_m) const {

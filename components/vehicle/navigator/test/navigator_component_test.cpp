@@ -224,6 +224,72 @@ TEST_F(NavigatorComponentTest, DrivesOnAMapThatGrows) {
   EXPECT_EQ(status_.state(), "blocked");
 }
 
+/// A hall of 12 m x 6 m, and a link that is lost in its middle, in the lower half.
+void publish_hall(SimBus& bus) {
+  topic::Map::Message map;
+  map.info().resolution(0.1F);
+  map.info().width(120);
+  map.info().height(60);
+  map.info().origin().position().x(-3);
+  map.info().origin().position().y(-1);
+  map.info().origin().orientation().w(1);
+  map.data(std::vector<std::int8_t>(7200, 0));
+  bus.publish<topic::Map>(map);
+}
+topic::LinkRisk::Message dead_middle() {
+  topic::LinkRisk::Message risk;
+  risk.info().resolution(1);
+  risk.info().width(12);
+  risk.info().height(6);
+  risk.info().origin().position().x(-3);
+  risk.info().origin().position().y(-1);
+  risk.info().origin().orientation().w(1);
+  risk.data(std::vector<std::int8_t>(72, 1));
+  for (const std::size_t cell : {5U, 6U, 17U, 18U}) risk.data()[cell] = 95;
+  return risk;
+}
+
+TEST_F(NavigatorComponentTest, TakesAWayThatKeepsTheLinkAndTellsWhatItCosts) {
+  params_.map_file = "";
+  params_.navigator.surroundings.link_detour = 0.5;
+  SimReader<topic::PlanChoice> choices(bus_);
+  start();
+  publish_hall(bus_);
+  bus_.publish<topic::LinkRisk>(dead_middle());
+  send_goal(5, 7);
+  run(2);
+  const auto all = choices.take();
+  ASSERT_FALSE(all.empty());
+  const auto& choice = all.back();
+  EXPECT_NEAR(choice.shortest_m(), 8, 0.3);
+  EXPECT_GT(choice.shortest_silence_s(), 3);
+  EXPECT_LT(choice.silence_s(), 1);
+  EXPECT_GT(choice.way_m(), choice.shortest_m());
+  ASSERT_GE(choice.shortest().size(), 2U);
+  EXPECT_NEAR(choice.shortest().back().x(), 7, 0.1);
+}
+
+TEST_F(NavigatorComponentTest, IgnoresAMapOfTheLinkThatIsNone) {
+  params_.map_file = "";
+  params_.navigator.surroundings.link_detour = 0.5;
+  SimReader<topic::PlanChoice> choices(bus_);
+  start();
+  publish_hall(bus_);
+  auto risk = dead_middle();
+  risk.data().pop_back();
+  bus_.publish<topic::LinkRisk>(risk);
+  risk = dead_middle();
+  risk.info().origin().orientation().z(1);
+  bus_.publish<topic::LinkRisk>(risk);
+  risk = dead_middle();
+  risk.info().resolution(std::numeric_limits<float>::quiet_NaN());
+  bus_.publish<topic::LinkRisk>(risk);
+  send_goal(5, 7);
+  run(2);
+  EXPECT_EQ(status_.state(), "driving");
+  EXPECT_TRUE(choices.take().empty());
+}
+
 TEST_F(NavigatorComponentTest, RefusesToStartWithoutTheMapThatItIsToldOf) {
   params_.map_file = "/nowhere/m.yaml";
   EXPECT_THROW(start(), ConfigError);

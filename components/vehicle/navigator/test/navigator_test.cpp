@@ -192,5 +192,84 @@ TEST(Navigator, RefusesContradictingParameters) {
   EXPECT_THROW(Navigator(params, floor_with_wall(1)), ConfigError);
 }
 
+/// The link is lost from x = 2 to 5.5.
+void lose_link(Vehicle& vehicle) {
+  const Grid grid{16, 8, 0.5, {0, 0}};
+  std::vector<std::int8_t> percent;
+  for (int row = 0; row < grid.height; ++row) {
+    for (int column = 0; column < grid.width; ++column) {
+      const double x_m = grid.centre({column, row}).x_m;
+      percent.push_back(x_m > 2 && x_m < 5.5 ? 98 : 1);
+    }
+  }
+  vehicle.sut.set_link({grid, percent});
+}
+
+Navigator::Params reconnecting() {
+  Navigator::Params params = on_link_lost(OnLinkLost::reconnect);
+  params.link_lost_after_s = 2;
+  return params;
+}
+
+TEST(Navigator, DrivesWhereItIsHeardAgainAndThenOnToItsGoal) {
+  Vehicle vehicle(reconnecting(), 0);
+  lose_link(vehicle);
+  vehicle.pose = {3, 3, 0};
+  ASSERT_EQ(vehicle.send(1, {3, 1, 0}), Answer::accepted);
+  const auto away = vehicle.run(7);
+  EXPECT_EQ(away.status.state, State::held);
+  EXPECT_EQ(std::string(away.status.reason), "link_lost");
+  EXPECT_LT(vehicle.pose.x_m, 2.2) << "the nearest place with a link";
+  vehicle.sut.on_ground_station(vehicle.now);
+  (void)vehicle.run(1);
+  EXPECT_EQ(vehicle.step().status.state, State::driving);
+  EXPECT_EQ(vehicle.run(20).status.state, State::reached) << "it is not turned back twice";
+}
+
+TEST(Navigator, GivesUpBeingHeardAndHolds) {
+  Navigator::Params params = reconnecting();
+  params.reconnection.reconnect_within_m = 4;
+  Vehicle vehicle(params, 0);
+  lose_link(vehicle);
+  ASSERT_EQ(vehicle.send(1, {4, 1, 0}), Answer::accepted);
+  (void)vehicle.run(120);
+  const geometry::Pose before = vehicle.pose;
+  const auto output = vehicle.run(20);
+  EXPECT_EQ(output.status.state, State::held);
+  EXPECT_LT(vehicle.distance_to(before), 0.01);
+  vehicle.sut.on_ground_station(vehicle.now);
+  EXPECT_EQ(vehicle.step().status.state, State::driving);
+}
+
+TEST(Navigator, ReturnsWhereItDoesNotKnowTheLink) {
+  Vehicle vehicle(reconnecting(), 0);
+  ASSERT_EQ(vehicle.send(1, {7, 1, 0}), Answer::accepted);
+  (void)vehicle.run(6);
+  ASSERT_GT(vehicle.pose.x_m, 1.3);
+  (void)vehicle.run(15);
+  EXPECT_LE(vehicle.distance_to({1, 1, 0}), 0.25);
+}
+
+TEST(Navigator, AnExpiredGoalIsNoReasonToStayUnheard) {
+  Vehicle vehicle(reconnecting(), 0);
+  lose_link(vehicle);
+  vehicle.pose = {3.5, 2, 0};
+  ASSERT_EQ(vehicle.send(1, {3.5, 3, 0}, 3), Answer::accepted);
+  (void)vehicle.run(12);
+  EXPECT_LT(vehicle.pose.x_m, 2.2);
+}
+
+TEST(Navigator, StandsOnEmergencyStopOnItsWayToBeHeard) {
+  Vehicle vehicle(reconnecting(), 0);
+  lose_link(vehicle);
+  vehicle.pose = {3.5, 2, 0};
+  ASSERT_EQ(vehicle.send(1, {5, 2, 0}), Answer::accepted);
+  (void)vehicle.run(4);
+  vehicle.sut.on_emergency_stop(true);
+  const auto output = vehicle.step();
+  EXPECT_EQ(output.velocity.linear_mps, 0);
+  EXPECT_EQ(std::string(output.status.reason), "emergency_stop");
+}
+
 }  // namespace
 }  // namespace tocsin

@@ -200,6 +200,11 @@ struct LinkMap {
   using Message = nav_msgs::msg::OccupancyGrid;
   static constexpr TopicInfo info{"link_map", "state", Scope::link};
 };
+/// The chance that the link is lost [%], by place, frame map.
+struct LinkRisk {
+  using Message = nav_msgs::msg::OccupancyGrid;
+  static constexpr TopicInfo info{"link_risk", "state", Scope::host};
+};
 /// What the explorer does: "idle", "exploring: ...", "waiting: ..." or "done: ..."
 struct ExploreStatus {
   using Message = std_msgs::msg::String;
@@ -219,6 +224,11 @@ struct ParticleCloud {
 struct Plan {
   using Message = nav_msgs::msg::Path;
   static constexpr TopicInfo info{"plan", "state", Scope::host};
+};
+/// What the way of `plan` costs beside the shortest one.
+struct PlanChoice {
+  using Message = tocsin_msgs::msg::PlanChoice;
+  static constexpr TopicInfo info{"plan/choice", "state", Scope::host};
 };
 /// What the collision brake does with the velocity, whenever it changes.
 struct CollisionMonitorState {
@@ -330,7 +340,7 @@ using AllHostTopics =
          CmdVelDocking, CmdVelTeleop, CmdVelSelected, CmdVelChecked, CmdVelSmoothed, MuxActive,
          MuxInputs, MuxSetInputs, CollisionBrakeBypass, SafetyEnable, EmergencyStop, LinkStop,
          EmergencyStopRequest, EmergencyStopState, MissionPath, MissionCommand, Map, MapUpdates,
-         ExploreStatus, AmclPose, ParticleCloud, Plan, CollisionMonitorState, LinkBudget,
-         LogRequest, ContainerState>;
+         LinkRisk, ExploreStatus, AmclPose, ParticleCloud, Plan, PlanChoice, CollisionMonitorState,
+         LinkBudget, LogRequest, ContainerState>;
 
 }  // namespace tocsin::topic

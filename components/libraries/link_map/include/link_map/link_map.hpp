@@ -6,15 +6,17 @@
 #include <cstddef>
 #include <vector>
 
+#include "foundation/numbers.hpp"
 #include "geometry/pose.hpp"
 #include "link_map/path_loss.hpp"
 
 namespace tocsin::link_map {
 
-/// Signal at a place.
+/// Signal at a place, and what it was good for.
 struct Reading {
-  geometry::Point at;     ///< [m] frame map
-  double signal_dbm = 0;  ///< [range -120,0]
+  geometry::Point at;       ///< [m] frame map
+  double signal_dbm = 0;    ///< [range -120,0]
+  double lost_share = nan;  ///< of the packets [range 0,1] [invalid NaN: not measured]
 };
 
 /// Readings in a square of `LinkMap::place_m`, together.

@@ -43,6 +43,7 @@ class LinkMapperComponent final : public Component {
   void take_pose(Time now);
   void take_quality(Time now);
   void learn(Time now);
+  [[nodiscard]] nav_msgs::msg::OccupancyGrid message_of(const LinkGrid& grid, Time now) const;
   void publish(Time now);
   void save(Time now);
   [[nodiscard]] bool keeps() const { return keeps_files_ && !params_.map_name.empty(); }
@@ -51,6 +52,7 @@ class LinkMapperComponent final : public Component {
   Input<topic::AmclPose> pose_in_{*this};
   Input<topic::NetworkQuality> quality_{*this};
   Output<topic::LinkMap> map_{*this};
+  Output<topic::LinkRisk> risk_{*this};
 
   const Params params_;
   const bool keeps_files_;

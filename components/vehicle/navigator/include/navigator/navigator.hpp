@@ -17,13 +17,16 @@
 #include "navigation/path_follower.hpp"
 #include "navigator/goal_list.hpp"
 #include "navigator/look_around.hpp"
+#include "navigator/reconnection.hpp"
 #include "navigator/surroundings.hpp"
 
 namespace tocsin {
 
 /// What the vehicle does about its goal while the ground station is not heard.
-enum class OnLinkLost { carry_on, hold, go_home };
-constexpr std::array<const char*, 3> words_of(OnLinkLost) { return {"continue", "hold", "return"}; }
+enum class OnLinkLost { carry_on, hold, go_home, reconnect };
+constexpr std::array<const char*, 4> words_of(OnLinkLost) {
+  return {"continue", "hold", "return", "reconnect"};
+}
 
 /// Drives the vehicle to one goal at a time, on to the next one that it knows, and says what it
 /// does about it.
@@ -38,12 +41,16 @@ class Navigator {
     double pose_timeout_s = 0.5;
     OnLinkLost on_link_lost = OnLinkLost::hold;
     double link_lost_after_s = 30;
+    Reconnection::Params reconnection;
     double stuck_after_s = 4;
     double retry_after_s = 3;
     double replan_beside_m = 0.4;
     double slow_near_m = 0.3;
     bool look_around = false;
     Surroundings::Params surroundings;
+    [[nodiscard]] bool heeds_link() const {
+      return surroundings.link_detour > 0 || on_link_lost == OnLinkLost::reconnect;
+    }
     bool align_yaw = true;
     double yaw_tolerance_rad = 0.2;
     template <class Visitor>
@@ -51,10 +58,13 @@ class Navigator {
       inflation.visit(v);
       follower.visit(v);
       v("pose_timeout_s", pose_timeout_s, {0.05, 10}, "[s] older poses stop the vehicle");
-      visit_enum(v, "on_link_lost", on_link_lost, Choices{"continue", "hold", "return"},
-                 "what to do about the goal while the ground station is not heard");
+      visit_enum(v, "on_link_lost", on_link_lost,
+                 Choices{"continue", "hold", "return", "reconnect"},
+                 "what to do about the goal while the ground station is not heard; reconnect: "
+                 "drives where `link_risk` says that it will be, without one returns");
       live(v)("link_lost_after_s", link_lost_after_s, {0.5, 3600},
               "[s] longer silence is a lost link");
+      reconnection.visit(v);
       v("stuck_after_s", stuck_after_s, {0.5, 60}, "[s] without moving: back up, plan again");
       v("retry_after_s", retry_after_s, {0.5, 60}, "[s] blocked for this long before a new try");
       v("replan_beside_m", replan_beside_m, {0.1, 5}, "[m] farther beside the path: plan again");
@@ -101,6 +111,8 @@ class Navigator {
   [[nodiscard]] bool is_busy(Time now) const;
   /// Another map, in the same frame: it has grown. Plans anew.
   void set_map(const navigation::OccupancyMap& map) { surroundings_.set_map(map); }
+  /// Where the link is lost.
+  void set_link(navigation::LinkRisk risk) { surroundings_.set_link(std::move(risk)); }
   /// Pose of the vehicle in the map frame; one that is not finite is ignored.
   void on_pose(const geometry::Pose& pose, Time now);
   /// A turn of the laser, measured by a vehicle at `pose` in the map frame; empty: not known where.
@@ -116,6 +128,10 @@ class Navigator {
   /// The way that it follows, empty without one; `plans` rises with each new one.
   [[nodiscard]] const geometry::Path& path() const { return follower_.path(); }
   [[nodiscard]] std::uint64_t plans() const { return plans_; }
+  /// How it was chosen; empty where the link is not known, or not heeded.
+  [[nodiscard]] const std::optional<navigation::WayChoice>& choice() const {
+    return surroundings_.choice();
+  }
 
   /// The velocity to drive from now on. To be called 10 to 50 times a second.
   [[nodiscard]] Output update(Time now);
@@ -135,7 +151,10 @@ class Navigator {
   Output stand(State state, const geometry::Twist& velocity, const char* reason);
   [[nodiscard]] geometry::Twist look_around(Time now, Duration dt);
   [[nodiscard]] bool knows_pose(Time now) const;
+  [[nodiscard]] bool reconnects(Time now);
+  Output drive_unheard(const Target& target, Time now, Duration dt);
   Output go_home(Time now, Duration dt);
+  Output reconnect(Time now, Duration dt);
   Output drive(const Target& target, Time now, Duration dt);
   Output drive_path(const Target& target, Time now, Duration dt);
   geometry::Twist follow_with_care(Duration dt);
@@ -156,6 +175,9 @@ class Navigator {
   GoalList goals_;
   std::optional<geometry::Pose> home_;  // the first pose
   LookAround look_around_;
+  Reconnection reconnection_;
+  std::uint64_t places_ = 0;                   // that were driven to, to be heard again
+  std::optional<std::uint64_t> resumed_goal_;  // that it drives on to after it was heard again
   geometry::Pose pose_;
   Time pose_time_{};
   std::optional<Time> heard_;

@@ -9,6 +9,7 @@
 #include "geometry/pose.hpp"
 #include "geometry/twist.hpp"
 #include "map_ports/map_input.hpp"
+#include "navigator/link_ports.hpp"
 #include "navigator/localiser_file.hpp"
 #include "navigator/localiser_pose.hpp"
 #include "navigator/navigate_action.hpp"
@@ -92,6 +93,7 @@ class NavigatorComponent final : public Component {
   std::optional<MapInput> map_;                              ///< without a file
   std::optional<OptionalInput<topic::AmclPose>> amcl_pose_;  ///< where a localiser tells the pose
   std::optional<ObstacleInputs> obstacles_;                  ///< where they are avoided
+  std::optional<LinkPorts> link_;                            ///< where it is heeded
 
   Params params_;
   Navigator navigator_;

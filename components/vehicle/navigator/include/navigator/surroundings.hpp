@@ -9,6 +9,8 @@
 #include "foundation/parameters.hpp"
 #include "foundation/time.hpp"
 #include "geometry/pose.hpp"
+#include "navigation/link_risk.hpp"
+#include "navigation/link_way.hpp"
 #include "navigation/obstacle_layer.hpp"
 #include "navigation/occupancy_map.hpp"
 #include "navigation/planner.hpp"
@@ -25,12 +27,16 @@ class Surroundings {
     navigation::ObstacleParams obstacles;
     double scan_timeout_s = 1;
     double replan_period_s = 1;
+    double link_detour = 0;
     template <class Visitor>
     void visit(Visitor& v) {
       v("avoid_obstacles", avoid_obstacles, "whether it drives round what a laser sees on `scan`");
       obstacles.visit(v);
       v("scan_timeout_s", scan_timeout_s, {0.1, 10}, "[s] an older scan stops the vehicle");
       v("replan_period_s", replan_period_s, {0.1, 60}, "[s] between plans round new obstacles");
+      v("link_detour", link_detour, {0, 1},
+        "[1] a way that keeps the link (`link_risk`) is longer by this share at most; 0: the "
+        "shortest");
     }
   };
 
@@ -44,6 +50,11 @@ class Surroundings {
   void on_scan(const laser::Scan& scan, const geometry::Pose& pose, Time now);
   /// The vehicle has touched something there, or the floor ends.
   void on_touch(const geometry::Point& at, Time now);
+  /// Where the link is lost; what is planned from now on heeds it as far as `link_detour` says.
+  void set_link(navigation::LinkRisk risk);
+  [[nodiscard]] const std::optional<navigation::LinkRisk>& link() const { return link_; }
+  /// What may be driven on, without what is seen besides.
+  [[nodiscard]] const navigation::CostMap& costs() const { return *costs_; }
   /// False where obstacles are avoided and no scan has come for `scan_timeout_s`.
   [[nodiscard]] bool sees(Time now) const;
 
@@ -51,7 +62,12 @@ class Surroundings {
   /// Empty: there is none.
   [[nodiscard]] std::optional<geometry::Path> plan(const geometry::Point& from,
                                                    const geometry::Point& to, Time now);
-  /// Whether obstacles have come or gone since the last plan, which is `replan_period_s` old.
+  /// The next plan leads to another goal.
+  void begin_way() { chooser_.begin(); }
+  /// How the last plan was chosen; empty where the link is not known, or not heeded.
+  [[nodiscard]] const std::optional<navigation::WayChoice>& choice() const { return choice_; }
+  /// Whether obstacles, or what is known of the link, have changed since the last plan, which is
+  /// `replan_period_s` old.
   [[nodiscard]] bool wants_plan(Time now) const;
 
   /// Whether a disc there touches a wall or an obstacle.
@@ -62,18 +78,24 @@ class Surroundings {
   [[nodiscard]] double obstacle_distance_m(const geometry::Point& from, double most_m) const;
 
  private:
-  [[nodiscard]] navigation::Planner planner_round(const std::vector<navigation::CellIndex>& cells,
-                                                  const navigation::InflationParams& by) const;
+  [[nodiscard]] std::optional<geometry::Path> shortest(const geometry::Point& from,
+                                                       const geometry::Point& to);
+  void plan_round(const std::vector<navigation::CellIndex>& obstacles);
   Params params_;
   navigation::InflationParams inflation_;
   navigation::OccupancyMap map_;
   bool is_growing_ = false;  ///< another map has come
   std::shared_ptr<const navigation::CostMap> costs_;
+  std::shared_ptr<const navigation::CostMap> planned_costs_;  ///< of `planner_`
   navigation::Planner planner_;
   navigation::ObstacleLayer obstacles_;
   std::optional<Time> seen_;
   std::optional<Time> planned_;
   std::uint64_t planned_version_ = 0;
+  std::optional<navigation::LinkRisk> link_;
+  bool has_new_link_ = false;
+  navigation::LinkWayChooser chooser_;
+  std::optional<navigation::WayChoice> choice_;
 };
 
 }  // namespace tocsin

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "link_mapper/signal_grid.hpp"
+#include "link_mapper/link_grid.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -17,9 +17,9 @@ struct Span {
 Span span_of(double low_m, double high_m) {
   const double middle_m = (low_m + high_m) / 2;
   const double half_m =
-      std::min((high_m - low_m) / 2 + SignalGrid::around_m, SignalGrid::most_side_m / 2);
-  const double from_m = std::floor((middle_m - half_m) / SignalGrid::cell_m) * SignalGrid::cell_m;
-  return {from_m, static_cast<int>(std::ceil((middle_m + half_m - from_m) / SignalGrid::cell_m))};
+      std::min((high_m - low_m) / 2 + LinkGrid::around_m, LinkGrid::most_side_m / 2);
+  const double from_m = std::floor((middle_m - half_m) / LinkGrid::cell_m) * LinkGrid::cell_m;
+  return {from_m, static_cast<int>(std::ceil((middle_m + half_m - from_m) / LinkGrid::cell_m))};
 }
 
 }  // namespace
@@ -27,12 +27,13 @@ Span span_of(double low_m, double high_m) {
 std::int8_t cell_of(const link_map::Prediction& prediction) {
   constexpr double best_dbm = -30;
   constexpr double span_db = 60;
-  if (!(prediction.deviation_db <= SignalGrid::known_db)) return -1;
+  if (!(prediction.deviation_db <= LinkGrid::known_db)) return -1;
   const double share = std::clamp((best_dbm - prediction.mean_dbm) / span_db, 0.0, 1.0);
   return static_cast<std::int8_t>(std::lround(100 * share));
 }
 
-SignalGrid grid_of(const link_map::LinkMap& map, const std::vector<link_map::Place>& places) {
+LinkGrid grid_of(const link_map::LinkMap& map, const link_map::LossCurve& curve,
+                 const std::vector<link_map::Place>& places) {
   assert(!places.empty());
   geometry::Point low = places.front().at;
   geometry::Point high = low;
@@ -42,12 +43,14 @@ SignalGrid grid_of(const link_map::LinkMap& map, const std::vector<link_map::Pla
   }
   const Span columns = span_of(low.x_m, high.x_m);
   const Span rows = span_of(low.y_m, high.y_m);
-  SignalGrid grid{{columns.from_m, rows.from_m}, columns.cells, rows.cells, {}};
+  LinkGrid grid{{columns.from_m, rows.from_m}, columns.cells, rows.cells, {}, {}};
   for (int row = 0; row < grid.height; ++row) {
     for (int column = 0; column < grid.width; ++column) {
-      const geometry::Point middle{grid.origin.x_m + (column + 0.5) * SignalGrid::cell_m,
-                                   grid.origin.y_m + (row + 0.5) * SignalGrid::cell_m};
-      grid.cells.push_back(cell_of(map.predict(middle)));
+      const geometry::Point middle{grid.origin.x_m + (column + 0.5) * LinkGrid::cell_m,
+                                   grid.origin.y_m + (row + 0.5) * LinkGrid::cell_m};
+      const link_map::Prediction prediction = map.predict(middle);
+      grid.cells.push_back(cell_of(prediction));
+      grid.risk.push_back(static_cast<std::int8_t>(std::lround(100 * risk(curve, prediction))));
     }
   }
   return grid;

@@ -6,11 +6,12 @@
 
 #include "geometry/pose.hpp"
 #include "link_map/link_map.hpp"
+#include "link_map/loss_curve.hpp"
 
 namespace tocsin {
 
-/// A map of the signal in squares, as `link_map` publishes it.
-struct SignalGrid {
+/// A map of the link in squares, as `link_map` and `link_risk` have it.
+struct LinkGrid {
   static constexpr double cell_m = 0.5;
   static constexpr double around_m = 4;       ///< of the places, that is told
   static constexpr double most_side_m = 100;  ///< of more, the part around the middle
@@ -19,14 +20,15 @@ struct SignalGrid {
   geometry::Point origin;  ///< lower left corner [m]
   int width = 0;
   int height = 0;
-  std::vector<std::int8_t> cells;  ///< row by row from the origin up
+  std::vector<std::int8_t> cells;  ///< signal, row by row from the origin up
+  std::vector<std::int8_t> risk;   ///< [%] that the link is lost there, the same
 };
 
 /// 0 at -30 dBm and above, 100 at -90 dBm and below; -1 where it is not known.
 [[nodiscard]] std::int8_t cell_of(const link_map::Prediction& prediction);
 
 /// Around the places, of which there is at least one.
-[[nodiscard]] SignalGrid grid_of(const link_map::LinkMap& map,
-                                 const std::vector<link_map::Place>& places);
+[[nodiscard]] LinkGrid grid_of(const link_map::LinkMap& map, const link_map::LossCurve& curve,
+                               const std::vector<link_map::Place>& places);
 
 }  // namespace tocsin

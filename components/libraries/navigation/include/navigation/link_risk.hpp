@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/pose.hpp"
+#include "navigation/occupancy_map.hpp"
+
+namespace tocsin::navigation {
+
+/// The chance that the link is lost, by place, on a grid that may be coarser than the floor's.
+/// Immutable.
+class LinkRisk {
+ public:
+  /// `percent` row by row from the origin up; what is none of [0,100] counts as 50. Asserts that
+  /// there are width x height of them, and at least one.
+  LinkRisk(const Grid& grid, std::vector<std::int8_t> percent);
+
+  [[nodiscard]] const Grid& grid() const { return grid_; }
+  /// [range 0,1]; outside of the grid as at its rim. Asserts that `p` is finite.
+  [[nodiscard]] double at(const geometry::Point& p) const;
+  /// The metres of a path on which the link is expected to be lost; by speed, the seconds.
+  [[nodiscard]] double silent_m(const geometry::Path& path) const;
+
+ private:
+  Grid grid_;
+  std::vector<double> risk_;
+};
+
+}  // namespace tocsin::navigation

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "geometry/pose.hpp"
+#include "navigation/cost_map.hpp"
+#include "navigation/link_risk.hpp"
+#include "navigation/planner.hpp"
+
+namespace tocsin::navigation {
+
+/// A way, and the metres of it on which the link is expected to be lost.
+struct LinkWay {
+  geometry::Path path;
+  double length_m = 0;
+  double silent_m = 0;
+};
+
+/// The way that was chosen beside the shortest one.
+struct WayChoice {
+  LinkWay way;
+  LinkWay shortest;  ///< its path is empty where it is the way
+};
+
+/// Chooses the way on which the link is lost least, of those that are longer than the shortest one
+/// by a bounded share. A metre without link is worth at most 8 m of driving.
+///
+/// Remembers what of the bound is used up on the way to a goal, so that half of a detour is not
+/// given up. Pure.
+class LinkWayChooser {
+ public:
+  /// `most_detour`: share of the shortest way [range 0,1].
+  explicit LinkWayChooser(double most_detour) : most_detour_(most_detour) {}
+
+  /// The next way leads to another goal.
+  void begin() { left_m_.reset(); }
+  /// `shortest` leads from where the vehicle is now, over `costs`.
+  [[nodiscard]] WayChoice choose(geometry::Path shortest, const CostMap& costs,
+                                 const LinkRisk& risk);
+
+ private:
+  double most_detour_;
+  std::optional<double> left_m_;  ///< that the way to this goal may still be long
+  geometry::Point asked_at_;
+};
+
+}  // namespace tocsin::navigation

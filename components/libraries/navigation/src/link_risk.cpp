@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "navigation/link_risk.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace tocsin::navigation {
+namespace {
+
+double share_of(std::int8_t percent) {
+  return percent < 0 || percent > 100 ? 0.5 : percent / 100.0;
+}
+
+int cell_of(double from_origin_m, double resolution_m, int cells) {
+  return static_cast<int>(std::clamp(from_origin_m / resolution_m, 0.0, cells - 1.0));
+}
+
+}  // namespace
+
+LinkRisk::LinkRisk(const Grid& grid, std::vector<std::int8_t> percent) : grid_(grid) {
+  assert(!percent.empty() && percent.size() == grid.size());
+  risk_.resize(percent.size());
+  std::transform(percent.begin(), percent.end(), risk_.begin(), share_of);
+}
+
+double LinkRisk::at(const geometry::Point& p) const {
+  assert(is_finite(p));
+  return risk_[grid_.offset({cell_of(p.x_m - grid_.origin.x_m, grid_.resolution_m, grid_.width),
+                             cell_of(p.y_m - grid_.origin.y_m, grid_.resolution_m, grid_.height)})];
+}
+
+double LinkRisk::silent_m(const geometry::Path& path) const {
+  double sum = 0;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const double length_m = distance(path[i - 1], path[i]);
+    const int pieces = std::max(1, static_cast<int>(std::ceil(2 * length_m / grid_.resolution_m)));
+    for (int k = 0; k < pieces; ++k) {
+      sum += length_m / pieces * at(between(path[i - 1], path[i], (k + 0.5) / pieces));
+    }
+  }
+  return sum;
+}
+
+}  // namespace tocsin::navigation
