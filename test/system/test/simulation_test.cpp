@@ -108,6 +108,21 @@ TEST_F(SimulationTest, TheVehicleOutlivesFaultsOfItsLaserItsWheelsAndAHandThatCa
   EXPECT_EQ(five.code, 0) << five.output;
 }
 
+TEST_F(SimulationTest, TheVehicleLearnsWhereItsLinkIsLostAndTakesOtherWays) {
+  const Simulated run = sim("foresight.yaml --seed 1 --set 'recorder.topics=[\"plan/*\"]'");
+  EXPECT_EQ(run.code, 0) << run.output;
+  EXPECT_THAT(read("errors"), HasSubstr("mission mission_c: done"));
+  const std::string choices = recorded(1, "uxv", "plan/choice");
+  const auto silent_s = column(choices, "silence_s");
+  const auto shortest_s = column(choices, "shortest_silence_s");
+  ASSERT_EQ(silent_s.size(), shortest_s.size());
+  bool has_saved = false;
+  for (std::size_t i = 0; i < silent_s.size(); ++i) {
+    has_saved = has_saved || std::stod(silent_s[i]) < 0.5 * std::stod(shortest_s[i]);
+  }
+  EXPECT_TRUE(has_saved) << choices;
+}
+
 TEST_F(SimulationTest, TheBagOfEachSideSaysWhatItsTypesAre) {
   const Simulated run = sim("mission.yaml --seed 1");
   ASSERT_EQ(run.code, 0) << run.output;

@@ -8,6 +8,7 @@
 namespace tocsin::navigation {
 namespace {
 
+constexpr double most_spare_m = 10;
 constexpr double worth_m = 0.5;                    // less silence is not worth another way
 constexpr std::array weights{8.0, 4.0, 2.0, 1.0};  // [m of driving / m without link]
 
@@ -19,25 +20,40 @@ LinkWay way_of(geometry::Path path, const LinkRisk& risk) {
 
 }  // namespace
 
+void LinkWayChooser::begin() {
+  spare_m_ = saved_m_;
+  left_m_.reset();
+}
+
 WayChoice LinkWayChooser::choose(geometry::Path shortest, const CostMap& costs,
                                  const LinkRisk& risk) {
   const geometry::Point from = shortest.front();
-  const geometry::Point to = shortest.back();
   LinkWay plain = way_of(std::move(shortest), risk);
-  left_m_ = left_m_ ? *left_m_ - distance(asked_at_, from) : plain.length_m * (1 + most_detour_);
+  const bool is_first = !left_m_;
+  const double allowed_m = plain.length_m * (1 + most_detour_) + spare_m_;
+  left_m_ = is_first ? allowed_m : *left_m_ - distance(asked_at_, from);
   asked_at_ = from;
+  auto way = better(plain, costs, risk);
+  const double length_m = way ? way->length_m : plain.length_m;
+  if (is_first) saved_m_ = std::clamp(allowed_m - length_m, 0.0, most_spare_m);
+  if (way) return {std::move(*way), std::move(plain)};
+  LinkWay told{{}, plain.length_m, plain.silent_m};
+  return {std::move(plain), std::move(told)};
+}
+
+std::optional<LinkWay> LinkWayChooser::better(const LinkWay& plain, const CostMap& costs,
+                                              const LinkRisk& risk) const {
   for (const double weight : weights) {
     if (plain.silent_m < worth_m) break;
     const auto dear = std::make_shared<const CostMap>(costs, risk, weight);
-    auto path = Planner(dear).plan(from, to);
+    auto path = Planner(dear).plan(plain.path.front(), plain.path.back());
     if (!path) break;
     LinkWay way = way_of(std::move(*path), risk);
     if (way.length_m > std::max(*left_m_, plain.length_m)) continue;
     if (way.silent_m > plain.silent_m - worth_m) break;
-    return {std::move(way), std::move(plain)};
+    return way;
   }
-  LinkWay told{{}, plain.length_m, plain.silent_m};
-  return {std::move(plain), std::move(told)};
+  return std::nullopt;
 }
 
 }  // namespace tocsin::navigation

@@ -78,6 +78,20 @@ TEST_F(LinkWayTest, AnotherGoalHasItsOwnAllowance) {
   EXPECT_LT(sut_.choose(shortest(start_), *costs_, risk).way.silent_m, 0.5);
 }
 
+TEST_F(LinkWayTest, WhatOneGoalLeavesTheNextMayUse) {
+  const LinkRisk risk = dead_zone(6, 14, 8);
+  EXPECT_GT(sut_.choose(shortest(start_), *costs_, risk).way.silent_m, 6) << "too far for 15 %";
+  sut_.begin();
+  (void)sut_.choose(*planner_.plan({18, 9}, {2, 9}), *costs_, risk);  // needs no detour
+  int round = 0;
+  for (; round < 10; ++round) {
+    sut_.begin();
+    if (sut_.choose(shortest(start_), *costs_, risk).way.silent_m > 6) break;
+  }
+  EXPECT_GE(round, 1);
+  EXPECT_LT(round, 5) << "it is used up";
+}
+
 TEST_F(LinkWayTest, WithoutAnAllowanceItIsTheShortest) {
   LinkWayChooser none(0);
   const auto choice = none.choose(shortest(start_), *costs_, dead_zone(8, 12, 6));

@@ -25,23 +25,27 @@ struct WayChoice {
 };
 
 /// Chooses the way on which the link is lost least, of those that are longer than the shortest one
-/// by a bounded share. A metre without link is worth at most 8 m of driving.
+/// by a bounded share of what is driven: what one goal leaves of it (at most 10 m), the next ones
+/// may use. A metre without link is worth at most 8 m of driving.
 ///
-/// Remembers what of the bound is used up on the way to a goal, so that half of a detour is not
-/// given up. Pure.
+/// Remembers what is used up on the way to a goal, so that half of a detour is not given up. Pure.
 class LinkWayChooser {
  public:
   /// `most_detour`: share of the shortest way [range 0,1].
   explicit LinkWayChooser(double most_detour) : most_detour_(most_detour) {}
 
   /// The next way leads to another goal.
-  void begin() { left_m_.reset(); }
+  void begin();
   /// `shortest` leads from where the vehicle is now, over `costs`.
   [[nodiscard]] WayChoice choose(geometry::Path shortest, const CostMap& costs,
                                  const LinkRisk& risk);
 
  private:
+  [[nodiscard]] std::optional<LinkWay> better(const LinkWay& plain, const CostMap& costs,
+                                              const LinkRisk& risk) const;
   double most_detour_;
+  double spare_m_ = 0;            ///< that goals before have left
+  double saved_m_ = 0;            ///< the same, once this one is reached
   std::optional<double> left_m_;  ///< that the way to this goal may still be long
   geometry::Point asked_at_;
 };

@@ -150,6 +150,9 @@ export class MapCanvas {
     const isOver = station.mission !== undefined && ["done", "aborted"].includes(station.mission.value.state);
     const ahead = isOver ? [] : route.filter(({ state }) => state !== "passed");
     drawRoute(sheet, route, this.#way.through(map, place, ahead));
+    if (station.choice && freshness(station.choice.at, now) !== "unknown") {
+      drawLine(sheet, station.choice.value.shortest, this.#theme.muted, 2, [3, 5]);
+    }
     if (station.plan && freshness(station.plan.at, now) !== "unknown") {
       drawLine(sheet, station.plan.value.poses.map(({ pose }) => pose.position), this.#theme.accent, 2, []);
     }

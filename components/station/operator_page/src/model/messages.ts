@@ -12,6 +12,7 @@ export type Heartbeat = tocsin_msgs.Heartbeat;
 export type Waypoint = tocsin_msgs.Waypoint;
 export type Goal = tocsin_msgs.Goal;
 export type NavigationStatus = tocsin_msgs.NavigationStatus;
+export type PlanChoice = tocsin_msgs.PlanChoice;
 export type MissionStatus = tocsin_msgs.MissionStatus;
 export type MemoryUsage = tocsin_msgs.MemoryUsage;
 export type CpuLoad = tocsin_msgs.CpuLoad;
@@ -66,6 +67,7 @@ const topics = {
   map_updates: of<OccupancyGridUpdate>(),
   link_map: of<OccupancyGrid>(),
   plan: of<Path>(),
+  "plan/choice": of<PlanChoice>(),
   scan: of<LaserScan>(),
   tf_static: of<TFMessage>(),
 };

@@ -17,6 +17,7 @@ import {
   type Log,
   type MissionStatus,
   type NavigationStatus,
+  type PlanChoice,
   type NetworkQuality,
   type OccupancyGrid,
   type Path,
@@ -97,6 +98,8 @@ export class Station {
   /** Of the link's signal: 0 is best, 100 is worst, -1 is not known. */
   linkMap: OccupancyGrid | undefined;
   plan: Heard<Path> | undefined;
+  /** What the way of the plan costs beside the shortest one. */
+  choice: Heard<PlanChoice> | undefined;
   /** When anything of the vehicle was last heard. */
   vehicleHeard: number | undefined;
   /** Since when it is received without a silence: how late its messages are is not known at once. */
@@ -188,6 +191,7 @@ export class Station {
     map_updates: (tile) => (this.map = (this.map && withTile(this.map, tile)) ?? this.map),
     link_map: (value) => (this.linkMap = value),
     plan: (value, at) => (this.plan = { value, at }),
+    "plan/choice": (value, at) => (this.choice = { value, at }),
     scan: (message) => this.scan.onScan(message),
     tf_static: (message) => this.scan.onTransforms(message),
   };

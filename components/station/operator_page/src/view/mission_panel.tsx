@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { MissionStatus } from "../model/messages.ts";
+import type { MissionStatus, PlanChoice } from "../model/messages.ts";
 import { type Operator, pageNow } from "../operator.ts";
 import { leads } from "../orders/mission_order.ts";
 import type { Phase } from "../orders/mission_request.ts";
@@ -36,6 +36,7 @@ export function MissionPanel({ operator, now }: { operator: Operator; now: numbe
         <Value label="Vehicle" heard={station.navigation} now={now} bad={({ state }) => state === "blocked"}
           show={({ state }) => state} />
         <Value label="To go" heard={station.navigation} now={now} show={({ distance_m }) => number(distance_m, 1, "m")} />
+        {station.choice && <Value label="Way" heard={station.choice} now={now} show={wayText} />}
         <Value label="At" heard={station.location} now={now}
           show={({ x, y }) => `${x.toFixed(2)}, ${y.toFixed(2)}\u202fm`} />
       </dl>
@@ -62,6 +63,13 @@ const canCancel = (mission: MissionStatus | undefined): boolean =>
 function Progress({ mission }: { mission: MissionStatus }) {
   const done = mission.state === "done" ? mission.waypoints : mission.waypoint;
   return <progress value={done} max={Math.max(1, mission.waypoints)} aria-label="Waypoints passed" />;
+}
+
+/** What the way costs, and the shortest one, which the map shows dotted, where that is another. */
+function wayText({ way_m, silence_s, shortest, shortest_m, shortest_silence_s }: PlanChoice): string {
+  const cost = (m: number, s: number): string => `${number(m, 1, "m")}, ${number(s, 0, "s")} without link`;
+  const chosen = cost(way_m, silence_s);
+  return shortest.length === 0 ? chosen : `${chosen} (shortest: ${cost(shortest_m, shortest_silence_s)})`;
 }
 
 const waypointText = ({ waypoint, waypoints }: MissionStatus): string =>
