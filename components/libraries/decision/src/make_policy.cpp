@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <utility>
+
 #include "decision/policy_model.hpp"
 #include "decision/stopping.hpp"
+#include "foresight_rule.hpp"
 #include "model_rules.hpp"
 #include "policy_rules.hpp"
 
@@ -29,6 +32,15 @@ std::unique_ptr<Rule> belief_rule(const PolicyParams& p) {
   return std::make_unique<BeliefRule>(llr_of(p), channel, thresholds);
 }
 
+std::unique_ptr<Rule> foresight_rule(const PolicyParams& p) {
+  std::unique_ptr<Rule> otherwise = std::make_unique<AlwaysActive>();
+  if (p.foresight_fallback == FallbackKind::tocp_dsp) {
+    otherwise = std::make_unique<BestSoFar>(forward(p), r_star(p));
+  }
+  const ForesightRule::Costs costs{p.foresight_wait_cost, p.foresight_correlation_s};
+  return std::make_unique<ForesightRule>(llr_of(p), costs, std::move(otherwise));
+}
+
 std::unique_ptr<Rule> rule_of(const PolicyParams& p) {
   switch (p.policy) {
     case PolicyKind::none:
@@ -46,6 +58,8 @@ std::unique_ptr<Rule> rule_of(const PolicyParams& p) {
       return belief_rule(p);
     case PolicyKind::legacy:
       return std::make_unique<LegacyRule>(llr_of(p));
+    case PolicyKind::foresight:
+      return foresight_rule(p);
   }
   return nullptr;
 }

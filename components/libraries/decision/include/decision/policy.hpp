@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "decision/outlook.hpp"
 #include "decision/policy_params.hpp"
 #include "foundation/enum_words.hpp"
 #include "foundation/time.hpp"
@@ -16,22 +17,25 @@ enum class State { active, passive };
 
 /// Why the state is what it is after a call.
 enum class Reason {
-  start,                  ///< nothing was decided yet; active
-  steady,                 ///< nothing spoke for a change
-  no_measurement,         ///< the sample was not finite
-  stale_sample,           ///< the sample is older than one taken before; used as no measurement
-  threshold_low,          ///< quality fell below the lower bound
-  threshold_high,         ///< quality rose to the upper bound
-  cusum_alarm,            ///< the CUSUM for "turned bad" reached its threshold
-  detector_alarm,         ///< another detector of "turned bad" reached its threshold
-  reverse_alarm,          ///< the CUSUM for "turned good" reached its threshold
-  best_so_far,            ///< the best sample of the pause came at or after candidate r*
-  belief_bad,             ///< the network is probably bad: silence pays
-  belief_good,            ///< the network is probably good again
-  legacy_drop,            ///< one sample looked bad to the thesis's source
-  legacy_count,           ///< the thesis's source had counted to 30
-  foreseen,               ///< the clairvoyant knew
-  fixed_pause_over,       ///< the pause of fixed length ended
+  start,             ///< nothing was decided yet; active
+  steady,            ///< nothing spoke for a change
+  no_measurement,    ///< the sample was not finite
+  stale_sample,      ///< the sample is older than one taken before; used as no measurement
+  threshold_low,     ///< quality fell below the lower bound
+  threshold_high,    ///< quality rose to the upper bound
+  cusum_alarm,       ///< the CUSUM for "turned bad" reached its threshold
+  detector_alarm,    ///< another detector of "turned bad" reached its threshold
+  reverse_alarm,     ///< the CUSUM for "turned good" reached its threshold
+  best_so_far,       ///< the best sample of the pause came at or after candidate r*
+  belief_bad,        ///< the network is probably bad: silence pays
+  belief_good,       ///< the network is probably good again
+  legacy_drop,       ///< one sample looked bad to the thesis's source
+  legacy_count,      ///< the thesis's source had counted to 30
+  foreseen,          ///< the clairvoyant knew
+  better_ahead,      ///< a place with a better link comes on the way, soon enough
+  good_enough,       ///< waiting for a better place on the way costs more than sending here
+  no_outlook,        ///< nothing can be foreseen: no plan, no map, or what is measured is not it
+  fixed_pause_over,  ///< the pause of fixed length ended
   forced_resume_samples,  ///< the pause reached th_max_samples
   forced_resume_time,     ///< the pause reached th_max_s
 };
@@ -53,6 +57,9 @@ inline constexpr auto words_of(Reason) {
                     "legacy_drop",
                     "legacy_count",
                     "foreseen",
+                    "better_ahead",
+                    "good_enough",
+                    "no_outlook",
                     "fixed_pause_over",
                     "forced_resume_samples",
                     "forced_resume_time"};
@@ -100,6 +107,8 @@ class Rule {
   virtual void entered(State state) = 0;
   /// Nothing was heard for so long while active that earlier evidence is void.
   virtual void forget() = 0;
+  /// What lies ahead, until it is called again; most rules do not look.
+  virtual void foresee(const Outlook&) {}
 };
 
 /// Decides when the gated writers fall silent and when they speak again.
@@ -115,6 +124,8 @@ class Policy {
 
   /// Takes one sample, in the order of arrival. The answer holds from now until the next call.
   Evidence on_sample(const Sample& sample, Time now);
+  /// What lies ahead from now on, for the samples until the next call.
+  void foresee(const Outlook& outlook) { rule_->foresee(outlook); }
   /// Ends a pause that has lasted th_max_s even if samples stopped. Harmless at any other time.
   Evidence on_deadline(Time now);
 

@@ -18,13 +18,18 @@ struct PolicyLimits {
   double gap_reset_s = 60;  ///< a longer gap in samples voids the evidence for "turned bad"
 };
 
-enum class PolicyKind { none, threshold, tocp, tocp_dsp, tocp_reverse, belief, legacy };
+enum class PolicyKind { none, threshold, tocp, tocp_dsp, tocp_reverse, belief, legacy, foresight };
 inline constexpr auto words_of(PolicyKind) {
-  return std::array{"none", "threshold", "tocp", "tocp_dsp", "tocp_reverse", "belief", "legacy"};
+  return std::array{"none",         "threshold", "tocp",   "tocp_dsp",
+                    "tocp_reverse", "belief",    "legacy", "foresight"};
 }
 /// Every policy that make_policy knows.
-inline constexpr Choices policy_names{"none",         "threshold", "tocp",  "tocp_dsp",
-                                      "tocp_reverse", "belief",    "legacy"};
+inline constexpr Choices policy_names{"none",         "threshold", "tocp",   "tocp_dsp",
+                                      "tocp_reverse", "belief",    "legacy", "foresight"};
+
+/// Who decides in policy foresight where nothing can be foreseen.
+enum class FallbackKind { none, tocp_dsp };
+inline constexpr auto words_of(FallbackKind) { return std::array{"none", "tocp_dsp"}; }
 
 /// How the worth of waiting fades in tocp_dsp.
 enum class DiscountKind { geometric, linear };
@@ -67,6 +72,9 @@ struct PolicyParams {
   double cost_silent_bad = 0.1;
   double cost_change = 0.5;
   bool belief_myopic = false;
+  FallbackKind foresight_fallback = FallbackKind::none;
+  double foresight_wait_cost = 0.01;
+  double foresight_correlation_s = 6;
 
   template <class Visitor>
   void visit(Visitor& v) {
@@ -77,6 +85,7 @@ struct PolicyParams {
     visit_detector(v);
     visit_resume(v);
     visit_belief(v);
+    visit_foresight(v);
   }
 
   [[nodiscard]] PolicyLimits limits() const { return {th_max_samples, th_max_s, gap_reset_s}; }
@@ -142,6 +151,15 @@ struct PolicyParams {
     v("cost_silent_bad", cost_silent_bad, {0, 1e6}, "[1] cost of a silent slot in a bad one");
     v("cost_change", cost_change, {0, 1e6}, "[1] cost of each change");
     v("belief_myopic", belief_myopic, "belief: ignore cost_change and the age of silence");
+  }
+  template <class Visitor>
+  void visit_foresight(Visitor& v) {
+    visit_enum(v, "foresight_fallback", foresight_fallback, Choices{"none", "tocp_dsp"},
+               "foresight: who decides where nothing can be foreseen");
+    v("foresight_wait_cost", foresight_wait_cost, {0.0001, 1},
+      "[1/s] foresight: cost of a second of waiting; of a loss it is 1");
+    v("foresight_correlation_s", foresight_correlation_s, {1, 60},
+      "[s] foresight: shadowing forgets on the way, by 1/e");
   }
 };
 
