@@ -69,5 +69,5 @@ export function truthAt({ gradeLink, hindrances }, { vehicle, station }, now, ne
     ageMs: position && now - stampMs(position.header.stamp),
   });
   const hindered = safety ? hindrances(safety) : [];
-  return { isWell: isGood && hindered.length === 0, word, figures, hindered };
+  return { isWell: isGood && hindered.length === 0, isGood, word, figures, hindered };
 }
