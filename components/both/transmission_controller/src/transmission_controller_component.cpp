@@ -20,13 +20,20 @@ TransmissionControllerComponent::TransmissionControllerComponent(Context& contex
                                                                  const Params& params)
     : Component(context),
       controller_(params.controller),
-      heartbeat_period_(seconds(params.heartbeat_period_s)) {}
+      heartbeat_period_(seconds(params.heartbeat_period_s)) {
+  const bool looks = params.controller.policy.policy == decision::PolicyKind::foresight;
+  if (looks && context.role == Role::uxv) ahead_.emplace(*this, params.foresight_speed_mps);
+}
 
 void TransmissionControllerComponent::tick(Time now) {
   while (const auto quality = quality_.take()) {
+    if (ahead_) controller_.foresee(outlook_ = ahead_->outlook(now));
     const auto measured = decision::qni_input(quality->per_percent(), quality->signal_dbm(),
                                               quality->quality_percent());
     publish(controller_.on_quality(measured, now), now);
+  }
+  if (now >= controller_.deadline() && ahead_) {
+    controller_.foresee(outlook_ = ahead_->outlook(now));
   }
   if (const auto decision = controller_.on_time(now)) publish(*decision, now);
   if (now >= next_beat_) beat(now);
@@ -48,6 +55,8 @@ void TransmissionControllerComponent::publish(const TransmissionDecision& decisi
   message.pause_samples(static_cast<std::uint32_t>(evidence.age));
   message.deadline_s(remaining_s(evidence.deadline, now));
   message.quality_age_s(static_cast<float>(decision.quality_age_s));
+  const auto& risks = outlook_.risk_percent;
+  message.outlook().assign(risks.begin(), risks.begin() + outlook_.size);
   if (evidence.changed) {
     log().info("{}: {} (QNI {:.1f})", message.active() ? "active" : "passive", message.reason(),
                evidence.sample);

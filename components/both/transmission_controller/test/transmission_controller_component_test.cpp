@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "runtime/sim_bus.hpp"
 
@@ -63,6 +64,69 @@ TEST_F(TransmissionControllerComponentTest, HardwareThatTellsNothingLeavesPerAlo
   bus_.publish<topic::NetworkQuality>(quality(25, nan, nan));
   bus_.run_for(Duration::zero());
   EXPECT_FLOAT_EQ(states_.take().at(0).qni(), 75.0F);
+}
+
+/// Drives along x at 0.5 m/s, from where the link is lost to x = 5, where it is good.
+class ForesightComponentTest : public ::testing::Test {
+ protected:
+  ForesightComponentTest() {
+    TransmissionControllerComponent::Params params;
+    params.controller.policy.policy = decision::PolicyKind::foresight;
+    sut_.emplace(context_, params);
+    bus_.add(*sut_);
+    topic::Plan::Message plan;
+    for (const double x_m : {0.0, 20.0}) {
+      geometry_msgs::msg::PoseStamped pose;
+      pose.pose().position().x(x_m);
+      plan.poses().push_back(pose);
+    }
+    bus_.publish<topic::Plan>(plan);
+  }
+  void tell_risk() {
+    topic::LinkRisk::Message risk;
+    risk.info().resolution(1);
+    risk.info().width(20);
+    risk.info().height(1);
+    risk.info().origin().orientation().w(1);
+    for (int x = 0; x < 20; ++x) risk.data().push_back(x < 5 ? 95 : 2);
+    bus_.publish<topic::LinkRisk>(risk);
+  }
+  tocsin_msgs::msg::TransmissionState drive(double x_m, const tocsin_msgs::msg::NetworkQuality& q) {
+    topic::Location::Message location;
+    location.pose().pose().position().x(x_m);
+    bus_.publish<topic::Location>(location);
+    bus_.publish<topic::NetworkQuality>(q);
+    bus_.run_for(seconds(1));
+    return states_.take().at(0);
+  }
+  SimBus bus_;
+  Context context_{bus_, "transmission_controller", Role::uxv};
+  std::optional<TransmissionControllerComponent> sut_;
+  SimReader<topic::TransmissionState> states_{bus_};
+  const tocsin_msgs::msg::NetworkQuality bad_ = quality(100, -95, 10);
+  const tocsin_msgs::msg::NetworkQuality good_ = quality(0, -50, 90);
+};
+
+TEST_F(ForesightComponentTest, WaitsForTheGoodPlaceOnItsPlanAndTellsWhatItForesaw) {
+  tell_risk();
+  const auto waits = drive(1, bad_);
+  EXPECT_FALSE(waits.active());
+  EXPECT_EQ(waits.reason(), "better_ahead");
+  ASSERT_EQ(waits.outlook().size(), decision::Outlook::most);
+  EXPECT_EQ(waits.outlook()[0], 95);
+  EXPECT_EQ(waits.outlook()[8], 2);
+  EXPECT_FALSE(drive(2, bad_).active());
+  const auto sends = drive(5.5, good_);
+  EXPECT_TRUE(sends.active());
+  EXPECT_EQ(sends.reason(), "good_enough");
+}
+
+TEST_F(ForesightComponentTest, NeverPausesWithoutAMapOfTheLink) {
+  for (int i = 0; i < 20; ++i) {
+    const auto state = drive(0.5 * i, bad_);
+    EXPECT_TRUE(state.active());
+    EXPECT_TRUE(state.outlook().empty());
+  }
 }
 
 TEST_F(TransmissionControllerComponentTest, DoesNotPauseUnlessAPolicyIsChosen) {

@@ -43,6 +43,7 @@ TEST(Allocation, DoesNotHappenInAnyPolicyWithAnyDetector) {
       const auto sut = make_policy(params);
       const long before = allocations;
       for (int n = 0; n < 5000; ++n) {
+        sut->foresee(dead_for(n % 50));
         const Time now{std::chrono::seconds(n)};
         const double x = n < 4000 ? quality(n) : 80 - 0.01 * (n - 4000);  // ends in a long ramp
         (void)sut->on_sample({now, x}, now);

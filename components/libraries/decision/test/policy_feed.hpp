@@ -16,6 +16,16 @@ inline PolicyParams params_for(const std::string& policy) {
   return params;
 }
 
+/// A dead zone of so many seconds, and a good link behind it.
+inline Outlook dead_for(int s) {
+  Outlook outlook;
+  while (outlook.size < Outlook::most) {
+    const bool is_dead = outlook.size < static_cast<std::size_t>(s);
+    outlook.risk_percent[outlook.size++] = is_dead ? 95 : 2;
+  }
+  return outlook;
+}
+
 /// Feeds one sample per second.
 class Feed {
  public:

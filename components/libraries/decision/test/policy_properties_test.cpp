@@ -75,7 +75,9 @@ class RandomEvents {
 /// Plays events to a policy, with a clock of its own.
 class Player {
  public:
-  explicit Player(const PolicyParams& params) : policy(make_policy(params)) {}
+  explicit Player(const PolicyParams& params) : policy(make_policy(params)) {
+    policy->foresee(dead_for(20));
+  }
   Evidence play(const Event& event) {
     now += event.step;
     if (event.is_deadline) return policy->on_deadline(now);

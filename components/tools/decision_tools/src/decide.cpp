@@ -95,6 +95,7 @@ class Decider {
     if (deadline_ && now > *deadline_ + (recorded ? wake_up : Duration{0})) {
       end_pause(std::nullopt, *deadline_);
     }
+    if (recorded) policy_->foresee(trace_.recorded[row].outlook);
     keep(row, now, policy_->on_sample({now, trace_.qni[row]}, now));
   }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "decision/outlook.hpp"
 #include "decision/qni.hpp"
 #include "recorded_run.hpp"
 
@@ -14,9 +15,10 @@ namespace tocsin::tools {
 struct RecordedDecision {
   bool active = true;
   std::string reason;
-  int pause_samples = 0;     ///< [1] samples since the pause began
-  bool at_deadline = false;  ///< no sample: the pause had lasted th_max_s
-  bool restarted = false;    ///< the first one of a controller that was started anew
+  int pause_samples = 0;      ///< [1] samples since the pause began
+  bool at_deadline = false;   ///< no sample: the pause had lasted th_max_s
+  bool restarted = false;     ///< the first one of a controller that was started anew
+  decision::Outlook outlook;  ///< that it had
 };
 
 /// Quality over time, read from a file.

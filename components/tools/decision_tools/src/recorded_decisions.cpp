@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "decision/policy.hpp"
@@ -52,6 +53,21 @@ bool is_at_deadline(const RecordedDecision& decision, double qni, int pause_samp
   if (decision.reason == to_string(Reason::steady)) return true;
   return decision.reason == to_string(Reason::forced_resume_time) &&
          decision.pause_samples == pause_samples_before;
+}
+
+/// Recordings of former versions have none.
+decision::Outlook outlook_in(const CsvTable& table, std::size_t row) {
+  decision::Outlook outlook;
+  if (!table.has("outlook")) return outlook;
+  const auto list = nlohmann::json::parse(table.text(row, "outlook"), nullptr, false);
+  const bool is_list = list.is_array() && list.size() <= decision::Outlook::most;
+  if (!is_list) table.reject(row, "outlook", "is no list of at most 61 percentages");
+  for (const auto& one : list) {
+    const bool is_percent = one.is_number_unsigned() && one.get<unsigned>() <= 100;
+    if (!is_percent) table.reject(row, "outlook", "'" + one.dump() + "' is not in [0, 100]");
+    outlook.risk_percent[outlook.size++] = one.get<std::uint8_t>();
+  }
+  return outlook;
 }
 
 }  // namespace
@@ -105,6 +121,7 @@ void read_decisions(const CsvTable& table, QualityTrace& trace) {
     one.active = active[i] != 0;
     one.reason = reason[i];
     one.pause_samples = static_cast<int>(age[i]);
+    one.outlook = outlook_in(table, i);
     one.restarted = i > 0 && sequence[i] <= heard;
     one.at_deadline = is_at_deadline(one, trace.qni[i], age_before);
     if (one.restarted) heard = 0;

@@ -110,7 +110,7 @@ TEST(DecideReport, TextSaysNoneWhereThereIsNoMean) {
 TEST(DecideReport, OfARecordingWithoutASampleHasNumbersToo) {
   QualityTrace trace = normal_trace(80, 1, 1);
   trace.qni = {nan};
-  trace.recorded = {{true, "steady", 0, true, false}};
+  trace.recorded = {{true, "steady", 0, true, false, {}}};
   const std::string text = to_text(decide_again(trace, "", with_policy("tocp")));
   EXPECT_THAT(text, HasSubstr("0 samples, 0 without measurement"));
   EXPECT_THAT(text, Not(HasSubstr("nan")));

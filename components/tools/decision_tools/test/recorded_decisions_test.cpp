@@ -240,5 +240,50 @@ TEST_F(RecordedDecisionsTest, AreComparedInJson) {
   EXPECT_EQ(sut["parameters"].size(), 1U);  // --policy
 }
 
+/// A vehicle that drives out of a dead zone and into the next one, again and again.
+std::string foresight_recording() {
+  decision::PolicyParams params;
+  params.policy = decision::PolicyKind::foresight;
+  const auto policy = decision::make_policy(params);
+  std::string text = "receive_s,sequence,stamp.sec,stamp.nanosec,role,active,reason,pause_samples,";
+  text += "qni,outlook\n";
+  for (int i = 0; i < 200; ++i) {
+    decision::Outlook outlook;
+    std::string list;
+    while (outlook.size < decision::Outlook::most) {
+      const bool is_dead = (i + static_cast<int>(outlook.size)) % 40 < 20;
+      outlook.risk_percent[outlook.size++] = is_dead ? 95 : 2;
+      list += (list.empty() ? "" : ",") + std::string(is_dead ? "95" : "2");
+    }
+    policy->foresee(outlook);
+    const double qni = i % 40 < 20 ? 35 : 85;
+    const Time now{std::chrono::seconds(i)};
+    const auto evidence = policy->on_sample({now, qni}, now);
+    text += "0," + std::to_string(i + 1) + "," + std::to_string(i) + ",0,uxv," +
+            (evidence.state == decision::State::active ? "1," : "0,") + to_string(evidence.reason) +
+            "," + std::to_string(evidence.age) + "," + std::to_string(qni) + ",\"[" + list +
+            "]\"\n";
+  }
+  return text;
+}
+
+TEST_F(RecordedDecisionsTest, PolicyForesightDecidesAgainByTheOutlookThatItHad) {
+  const std::string text = foresight_recording();
+  const auto decided = decide_again(read(text), "", load_settings({{}, "", {}, "foresight"}));
+  const auto compared = compare_with_recording(decided);
+  ASSERT_TRUE(compared);
+  EXPECT_EQ(compared->recorded, 200U);
+  EXPECT_EQ(compared->same, 200U);
+  EXPECT_GE(compared->recorded_pauses, 4U);
+}
+
+TEST_F(RecordedDecisionsTest, AnOutlookThatIsNoneIsNamed) {
+  std::string text = foresight_recording();
+  const std::string broken = text.replace(text.find("[95,"), 4, "[195,");
+  EXPECT_THAT(error_of(broken), HasSubstr("'195' is not in [0, 100]"));
+  EXPECT_THAT(error_of(text.replace(text.find("[195,"), 5, "[x,")),
+              HasSubstr("is no list of at most 61 percentages"));
+}
+
 }  // namespace
 }  // namespace tocsin::tools

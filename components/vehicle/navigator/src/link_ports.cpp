@@ -1,26 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "navigator/link_ports.hpp"
 
-#include <cmath>
 #include <utility>
-#include <vector>
-
-#include "geometry/pose_message.hpp"
 
 namespace tocsin {
 namespace {
-
-/// Whether its cells are a grid with at least one cell, whose rows are not turned.
-bool is_grid(const topic::LinkRisk::Message& message) {
-  constexpr std::uint32_t most_cells = 4'000'000;
-  const auto& info = message.info();
-  const double origin_m =
-      std::abs(info.origin().position().x()) + std::abs(info.origin().position().y());
-  const auto cells = std::uint64_t{info.width()} * info.height();
-  return cells > 0 && cells <= most_cells && cells == message.data().size() &&
-         info.resolution() > 0.001F && info.resolution() < 1000 && origin_m < 1e6 &&
-         std::abs(geometry::pose_in(info.origin()).heading_rad) <= 1e-3;
-}
 
 tocsin_msgs::msg::PlanChoice message_of(const navigation::WayChoice& choice, double speed_mps) {
   tocsin_msgs::msg::PlanChoice message;
@@ -40,22 +24,10 @@ tocsin_msgs::msg::PlanChoice message_of(const navigation::WayChoice& choice, dou
 }  // namespace
 
 LinkPorts::LinkPorts(Component& owner)
-    : risk_(owner, WakeMode::time_triggered), choice_(owner), log_(owner.name(), owner.node()) {}
+    : risk_(owner), choice_(owner), log_(owner.name(), owner.node()) {}
 
 void LinkPorts::take(Navigator& navigator) {
-  auto message = risk_.take_latest();
-  if (!message) return;
-  const auto& info = message->info();
-  if (!is_grid(*message)) {
-    log_.warn("link_risk is ignored: {} cells of {} m, {} x {}", message->data().size(),
-              info.resolution(), info.width(), info.height());
-    return;
-  }
-  const navigation::Grid grid{static_cast<int>(info.width()),
-                              static_cast<int>(info.height()),
-                              info.resolution(),
-                              {info.origin().position().x(), info.origin().position().y()}};
-  navigator.set_link({grid, std::move(message->data())});
+  if (auto risk = risk_.take()) navigator.set_link(std::move(*risk));
 }
 
 void LinkPorts::report(const Navigator& navigator, double speed_mps,

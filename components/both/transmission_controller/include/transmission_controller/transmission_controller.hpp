@@ -51,6 +51,8 @@ class TransmissionController {
   /// To be called at deadline(): a decision when silence or the end of a pause asks for one.
   std::optional<TransmissionDecision> on_time(Time now);
   [[nodiscard]] Time deadline() const;
+  /// What lies ahead, for the decisions until the next call.
+  void foresee(const decision::Outlook& outlook) { policy_->foresee(outlook); }
   [[nodiscard]] const char* policy_name() const { return policy_->name(); }
 
  private:

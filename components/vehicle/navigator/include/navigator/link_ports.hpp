@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "map_ports/link_risk_input.hpp"
 #include "navigator/navigator.hpp"
 #include "runtime/component.hpp"
 #include "runtime/port.hpp"
@@ -11,7 +12,7 @@
 namespace tocsin {
 
 /// Ports of a component whose navigator heeds where the link is lost: `link_risk` in, `plan/choice`
-/// out. What is no grid is passed over with a warning.
+/// out.
 class LinkPorts {
  public:
   explicit LinkPorts(Component& owner);
@@ -22,7 +23,7 @@ class LinkPorts {
               const builtin_interfaces::msg::Time& stamp);
 
  private:
-  OptionalInput<topic::LinkRisk> risk_;
+  LinkRiskInput risk_;
   Output<topic::PlanChoice> choice_;
   Logger log_;
   std::uint64_t plans_ = 0;  // that were told of
