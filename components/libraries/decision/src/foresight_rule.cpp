@@ -126,7 +126,8 @@ ForesightRule::Choice ForesightRule::choice() const {
 Decision ForesightRule::while_active(double qni) {
   if (!foresees(qni)) return otherwise_->while_active(qni);
   const Choice choice = this->choice();
-  const bool waits = choice.wait < choice.send - least_gain;
+  // What is foreseen alone begins no pause.
+  const bool waits = !std::isnan(qni) && choice.wait < choice.send - least_gain;
   return {waits, waits ? Reason::better_ahead : Reason::steady, choice.send, choice.wait};
 }
 
