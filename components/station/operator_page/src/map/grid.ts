@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { Point } from "../model/geometry.ts";
 import type { OccupancyGrid } from "../model/messages.ts";
-import { qualityStep } from "../model/quality.ts";
 import type { Bounds } from "./viewport.ts";
 
 export type Rgba = readonly [number, number, number, number];
@@ -35,7 +34,13 @@ export function gridPixels(grid: OccupancyGrid, colours: GridColours): Uint8Clam
 /** The same of a map of the link's signal, `steps` from worst to best; what is not known is clear. */
 export function signalPixels(grid: OccupancyGrid, steps: readonly Rgba[]): Uint8ClampedArray<ArrayBuffer> {
   const clear: Rgba = [0, 0, 0, 0];
-  return pixelsOf(grid, (cell) => steps[qualityStep(cell < 0 ? undefined : 100 - cell) ?? -1] ?? clear);
+  return pixelsOf(grid, (cell) => (cell < 0 ? clear : steps[signalStep(cell)]) ?? clear);
+}
+
+/** From 0, below -80 dBm, in steps of 10 dB: what a network's planner calls no link, poor, fair, good and very good. */
+function signalStep(cell: number): number {
+  const dbm = -30 - 0.6 * cell;
+  return [-80, -70, -60, -50].filter((bound) => dbm >= bound).length;
 }
 
 function pixelsOf(grid: OccupancyGrid, colourOf: (cell: number) => Rgba): Uint8ClampedArray<ArrayBuffer> {
