@@ -39,10 +39,10 @@ class Run:
         self.first_round_s = int(hours) * 3600 + int(minutes) * 60 + float(seconds)
 
     def rows(self, topic, host="uxv"):
-        out = self.folder / f"{host}_{topic.replace('/', '_')}"
+        out = self.folder / f"{host}_{topic}"
         subprocess.run(["tocsin", "bag", "export", str(self.folder / "run" / host / "bag"), "-o", str(out),
                         "--topics", f"/{topic}"], check=True, capture_output=True)
-        with open(next(out.glob("*.csv")), encoding="utf-8", newline="") as file:
+        with open(out / f"{topic}.csv", encoding="utf-8", newline="") as file:
             return list(csv.DictReader(file))
 
     def silent_s(self):
@@ -78,8 +78,7 @@ class Run:
 
 
 def stamp(row):
-    prefix = "header.stamp" if "header.stamp.sec" in row else "stamp"
-    return int(row[f"{prefix}.sec"]) + int(row[f"{prefix}.nanosec"]) * 1e-9
+    return float(row["send_s"])
 
 
 def missions(seeds, settings, measure):

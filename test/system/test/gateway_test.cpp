@@ -91,5 +91,63 @@ TEST(Gateway, AMessageOfATypeThatNobodyKnowsArrivesByteForByte) {
   EXPECT_LE(text_of(file).size(), expected.size() + 6);
 }
 
+/// Numbered pictures of 26 packets: all that were read, and the last of them.
+struct Pictures {
+  int read = 0;
+  int first = 0;
+  int last = 0;
+};
+
+Pictures pictures_in(const std::string& file) {
+  std::ifstream in(file);
+  Pictures pictures;
+  for (int number = 0; in >> number; ++pictures.read) {
+    if (pictures.read == 0) pictures.first = number;
+    pictures.last = number;
+  }
+  return pictures;
+}
+
+/// One in sixteen pictures would come if a lost packet lost its picture.
+TEST(Gateway, PicturesArriveThoughTheRadioLosesATenthOfItsPackets) {
+  const TemporaryFolder folder;
+  const Stack stack(
+      {folder.write("gateway_on_one_computer.yaml", gateway_on_one_computer), "--seed", "1"});
+  for (const char* const process : {"uxv/link", "gcs/link"}) {
+    ASSERT_TRUE(Stack::eventually(patience, [&] { return stack.pid(process) != 0; }))
+        << stack.output();
+  }
+  stack.control("radio.sock", "set mode bernoulli");
+  stack.control("radio.sock", "set delay_s 0.005");
+  stack.control("radio.sock", "set loss 0.1");
+  const std::string file = folder.path("numbers");
+  const Peer reader(stack.pid("gcs/link"), [&] {
+    const auto graph = make_host_graph(on(station_domain));
+    std::ofstream out(file);
+    const auto reading = graph->read(
+        never, [&](RawSample&& sample) { out << int{(*sample.bytes)[4]} << std::endl; });
+    for (;;) pause();
+  });
+  const Peer writer(stack.pid("uxv/link"), [] {
+    const auto graph = make_host_graph(on(robot_domain));
+    const auto writing = graph->write(never);
+    std::vector<std::uint8_t> picture(30'000);
+    picture[1] = 1;  // little-endian CDR
+    for (int number = 0; number < 256; ++number) {
+      picture[4] = static_cast<std::uint8_t>(number);
+      (void)writing->write(picture);
+      std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    }
+    for (;;) pause();
+  });
+  const auto are_enough = [&] {
+    const Pictures pictures = pictures_in(file);
+    return pictures.last >= pictures.first + 40;
+  };
+  ASSERT_TRUE(Stack::eventually(2 * patience, are_enough)) << stack.output();
+  const Pictures pictures = pictures_in(file);
+  EXPECT_GE(pictures.read, 0.8 * (pictures.last - pictures.first + 1));
+}
+
 }  // namespace
 }  // namespace tocsin
