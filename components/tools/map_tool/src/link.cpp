@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "foundation/printable.hpp"
 #include "foundation/read_file.hpp"
 #include "link_map/link_map.hpp"
+#include "link_map/loss_curve.hpp"
 #include "link_map/signal_file.hpp"
 
 namespace tocsin::map_tool {
@@ -102,27 +104,38 @@ Score score_of(const LinkMap& map, const Parts& parts) {
   return score;
 }
 
-std::string json_of(const LinkMap& map, const Parts& parts, const Score& score) {
+/// Nothing where no reading tells loss.
+std::optional<double> half_lost_dbm(const std::vector<link_map::Reading>& readings) {
+  const bool is_told = std::any_of(readings.begin(), readings.end(), [](const auto& reading) {
+    return std::isfinite(reading.lost_share);
+  });
+  if (!is_told) return std::nullopt;
+  return link_map::fit_loss_curve(readings).half_dbm;
+}
+
+std::string json_of(const LinkMap& map, const Parts& parts, const Score& score,
+                    std::optional<double> half_dbm) {
   const auto& loss = map.path_loss();
-  const nlohmann::ordered_json json{
-      {"places", parts.learned.size() + parts.left_out.size()},
-      {"left_out", parts.left_out.size()},
-      {"error_db", score.map_db},
-      {"within_95", score.within_95},
-      {"path_loss_error_db", score.path_loss_db},
-      {"nearest_error_db", score.nearest_db},
-      {"shadowing_db", std::sqrt(map.field().variance_db2)},
-      {"range_m", map.field().range_m},
-      {"noise_db", std::sqrt(map.field().noise_db2)},
-      {"exponent", loss.exponent},
-      {"at_1_m_dbm", loss.at_1_m_dbm},
-      {"access_point", {loss.access_point.x_m, loss.access_point.y_m}}};
+  nlohmann::ordered_json json{{"places", parts.learned.size() + parts.left_out.size()},
+                              {"left_out", parts.left_out.size()},
+                              {"error_db", score.map_db},
+                              {"within_95", score.within_95},
+                              {"path_loss_error_db", score.path_loss_db},
+                              {"nearest_error_db", score.nearest_db},
+                              {"shadowing_db", std::sqrt(map.field().variance_db2)},
+                              {"range_m", map.field().range_m},
+                              {"noise_db", std::sqrt(map.field().noise_db2)},
+                              {"exponent", loss.exponent},
+                              {"at_1_m_dbm", loss.at_1_m_dbm},
+                              {"access_point", {loss.access_point.x_m, loss.access_point.y_m}}};
+  if (half_dbm) json["half_lost_dbm"] = *half_dbm;
   return json.dump() + "\n";
 }
 
-std::string text_of(const LinkMap& map, const Parts& parts, const Score& score) {
+std::string text_of(const LinkMap& map, const Parts& parts, const Score& score,
+                    std::optional<double> half_dbm) {
   const auto& loss = map.path_loss();
-  return fmt::format(
+  const std::string told = fmt::format(
       "{} places, {} of them left out\n"
       "map         {:5.2f} dB, {:.0f} % within the 95 % interval\n"
       "path loss   {:5.2f} dB\n"
@@ -134,6 +147,8 @@ std::string text_of(const LinkMap& map, const Parts& parts, const Score& score) 
       100 * score.within_95, score.path_loss_db, score.nearest_db,
       std::sqrt(map.field().variance_db2), map.field().range_m, std::sqrt(map.field().noise_db2),
       loss.at_1_m_dbm, loss.exponent, loss.access_point.x_m, loss.access_point.y_m);
+  if (!half_dbm) return told;
+  return told + fmt::format("half of the packets are lost at {:.0f} dBm\n", *half_dbm);
 }
 
 }  // namespace
@@ -156,7 +171,8 @@ std::string link(const LinkOptions& options) {
   }
   const LinkMap map(parts.learned);
   const Score score = score_of(map, parts);
-  return options.json ? json_of(map, parts, score) : text_of(map, parts, score);
+  const auto half_dbm = half_lost_dbm(readings);
+  return options.json ? json_of(map, parts, score, half_dbm) : text_of(map, parts, score, half_dbm);
 }
 
 }  // namespace tocsin::map_tool

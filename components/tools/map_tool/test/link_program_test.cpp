@@ -57,6 +57,21 @@ TEST_F(LinkProgram, TakesSpacesSemicolonsOtherNamesAndMoreColumnsThanNames) {
   EXPECT_EQ(link(folder_.write("b.csv", text), {"--columns", "a,b,c"}).code, 0);
 }
 
+TEST_F(LinkProgram, SaysAtWhichSignalHalfIsLostWhereLossIsTold) {
+  std::string text = "x_m,y_m,signal_dbm,loss_percent\n";
+  for (int i = 0; i < 200; ++i) {
+    const double signal_dbm = -50 - 0.25 * i;
+    text += std::to_string(0.1 * i) + ",2," + std::to_string(signal_dbm) +
+            (signal_dbm < -75 ? ",100\n" : ",0\n");
+  }
+  const std::string file = folder_.write("l.csv", text);
+  const auto json = nlohmann::json::parse(link(file, {"--json"}).output);
+  EXPECT_NEAR(json["half_lost_dbm"], -75, 1);
+  EXPECT_NE(link(file).output.find("half of the packets are lost at -7"), std::string::npos);
+  EXPECT_EQ(link(folder_.write("a.csv", drive("x_m,y_m,rssi_dbm", ','))).output.find("half of"),
+            std::string::npos);
+}
+
 TEST_F(LinkProgram, HasOneLineForEveryBadInput) {
   const std::string good = drive("x,y,rssi", ',');
   const std::string named = folder_.write("n.csv", good);
