@@ -2,6 +2,7 @@
 #include "navigation/cost_map.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -90,14 +91,13 @@ CostMap::CostMap(const CostMap& base, const std::vector<CellIndex>& obstacles,
   }
 }
 
-CostMap::CostMap(const CostMap& base, const LinkRisk& risk, double weight) : CostMap(base) {
-  for (int row = 0; row < grid_.height; ++row) {
-    for (int column = 0; column < grid_.width; ++column) {
-      std::uint16_t& cost = costs_[grid_.offset({column, row})];
-      if (cost == 0) continue;
-      const double dear = cost * (1 + weight * risk.at(grid_.centre({column, row})));
-      cost = static_cast<std::uint16_t>(std::lround(std::min(dear, double{dearest})));
-    }
+CostMap::CostMap(const CostMap& base, const std::vector<float>& shares, double weight)
+    : CostMap(base) {
+  assert(shares.size() == costs_.size());
+  const auto factor = static_cast<float>(weight);
+  for (std::size_t i = 0; i < costs_.size(); ++i) {
+    const float dear = static_cast<float>(costs_[i]) * (1 + factor * shares[i]);
+    costs_[i] = static_cast<std::uint16_t>(std::min(dear, float{dearest}) + 0.5F);
   }
 }
 

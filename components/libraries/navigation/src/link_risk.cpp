@@ -30,6 +30,24 @@ double LinkRisk::at(const geometry::Point& p) const {
                              cell_of(p.y_m - grid_.origin.y_m, grid_.resolution_m, grid_.height)})];
 }
 
+std::vector<float> LinkRisk::on(const Grid& grid) const {
+  std::vector<std::size_t> columns;
+  for (int column = 0; column < grid.width; ++column) {
+    const double from_origin_m = grid.centre({column, 0}).x_m - grid_.origin.x_m;
+    columns.push_back(
+        static_cast<std::size_t>(cell_of(from_origin_m, grid_.resolution_m, grid_.width)));
+  }
+  std::vector<float> cells;
+  cells.reserve(grid.size());
+  for (int row = 0; row < grid.height; ++row) {
+    const double from_origin_m = grid.centre({0, row}).y_m - grid_.origin.y_m;
+    const double* const risks =
+        &risk_[grid_.offset({0, cell_of(from_origin_m, grid_.resolution_m, grid_.height)})];
+    for (const std::size_t column : columns) cells.push_back(static_cast<float>(risks[column]));
+  }
+  return cells;
+}
+
 double LinkRisk::silent_m(const geometry::Path& path) const {
   double sum = 0;
   for (std::size_t i = 1; i < path.size(); ++i) {

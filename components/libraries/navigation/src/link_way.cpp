@@ -26,14 +26,14 @@ void LinkWayChooser::begin() {
 }
 
 WayChoice LinkWayChooser::choose(geometry::Path shortest, const CostMap& costs,
-                                 const LinkRisk& risk) {
+                                 const LinkRisk& risk, const std::vector<float>& risks) {
   const geometry::Point from = shortest.front();
   LinkWay plain = way_of(std::move(shortest), risk);
   const bool is_first = !left_m_;
   const double allowed_m = plain.length_m * (1 + most_detour_) + spare_m_;
   left_m_ = is_first ? allowed_m : *left_m_ - distance(asked_at_, from);
   asked_at_ = from;
-  auto way = better(plain, costs, risk);
+  auto way = better(plain, costs, risk, risks);
   const double length_m = way ? way->length_m : plain.length_m;
   if (is_first) saved_m_ = std::clamp(allowed_m - length_m, 0.0, most_spare_m);
   if (way) return {std::move(*way), std::move(plain)};
@@ -42,10 +42,11 @@ WayChoice LinkWayChooser::choose(geometry::Path shortest, const CostMap& costs,
 }
 
 std::optional<LinkWay> LinkWayChooser::better(const LinkWay& plain, const CostMap& costs,
-                                              const LinkRisk& risk) const {
+                                              const LinkRisk& risk,
+                                              const std::vector<float>& risks) const {
   for (const double weight : weights) {
     if (plain.silent_m < worth_m) break;
-    const auto dear = std::make_shared<const CostMap>(costs, risk, weight);
+    const auto dear = std::make_shared<const CostMap>(costs, risks, weight);
     auto path = Planner(dear).plan(plain.path.front(), plain.path.back());
     if (!path) break;
     LinkWay way = way_of(std::move(*path), risk);

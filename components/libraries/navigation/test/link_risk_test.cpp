@@ -27,10 +27,22 @@ TEST(LinkRisk, CountsTheMetresWithoutLink) {
   EXPECT_DOUBLE_EQ(four.silent_m({}), 0);
 }
 
+TEST(LinkRisk, OfAFinerGridIsThatOfEachOfItsCells) {
+  const Grid fine{11, 5, 0.25, {-1.5, -0.1}};
+  const auto cells = four.on(fine);
+  ASSERT_EQ(cells.size(), fine.size());
+  for (int row = 0; row < fine.height; ++row) {
+    for (int column = 0; column < fine.width; ++column) {
+      EXPECT_FLOAT_EQ(cells[fine.offset({column, row})],
+                      static_cast<float>(four.at(fine.centre({column, row}))));
+    }
+  }
+}
+
 TEST(LinkRisk, MakesCellsDearerAndOpensNone) {
   const OccupancyMap map({8, 8, 0.25, {-1, 0}}, std::vector<Cell>(64, Cell::free));
   const CostMap plain(map, {0.05, 0, 0, 0});
-  const CostMap dear(plain, four, 4);
+  const CostMap dear(plain, four.on(map.grid()), 4);
   const auto cost = [](const CostMap& costs, const geometry::Point& p) {
     return costs.cost(costs.grid().offset(*costs.grid().cell_of(p)));
   };
@@ -38,7 +50,7 @@ TEST(LinkRisk, MakesCellsDearerAndOpensNone) {
   EXPECT_EQ(cost(dear, {0.1, 0.3}), 5 * CostMap::plain);
   EXPECT_EQ(cost(dear, {-0.6, 0.3}), CostMap::plain);
   EXPECT_TRUE(dear.blocked(CellIndex{0, 3})) << "the map's rim";
-  EXPECT_EQ(cost(CostMap(plain, four, 1000), {0.1, 0.3}), CostMap::dearest);
+  EXPECT_EQ(cost(CostMap(plain, four.on(map.grid()), 1000), {0.1, 0.3}), CostMap::dearest);
 }
 
 }  // namespace

@@ -27,6 +27,11 @@ class LinkWayTest : public ::testing::Test {
     return *planner_.plan(from, goal_);
   }
 
+  [[nodiscard]] WayChoice choose(LinkWayChooser& chooser, const geometry::Path& shortest,
+                                 const LinkRisk& risk) const {
+    return chooser.choose(shortest, *costs_, risk, risk.on(costs_->grid()));
+  }
+
   const std::shared_ptr<const CostMap> costs_ = std::make_shared<const CostMap>(
       OccupancyMap({80, 40, cell_m, {0, 0}}, std::vector<Cell>(80U * 40U, Cell::free)),
       InflationParams{0.18, 0.07, 0.6, 3});
@@ -37,7 +42,7 @@ class LinkWayTest : public ::testing::Test {
 };
 
 TEST_F(LinkWayTest, GoesRoundADeadZoneWhereThatIsNotTooFar) {
-  const auto choice = sut_.choose(shortest(start_), *costs_, dead_zone(8, 12, 6));
+  const auto choice = choose(sut_, shortest(start_), dead_zone(8, 12, 6));
   EXPECT_NEAR(choice.shortest.length_m, 16, 0.2);
   EXPECT_GT(choice.shortest.silent_m, 3.5);
   EXPECT_LT(choice.way.silent_m, 0.5);
@@ -46,7 +51,7 @@ TEST_F(LinkWayTest, GoesRoundADeadZoneWhereThatIsNotTooFar) {
 }
 
 TEST_F(LinkWayTest, DrivesThroughWhereTheWayRoundIsTooFar) {
-  const auto choice = sut_.choose(shortest(start_), *costs_, dead_zone(4, 16, 9.2));
+  const auto choice = choose(sut_, shortest(start_), dead_zone(4, 16, 9.2));
   EXPECT_NEAR(choice.way.length_m, 16, 0.2);
   EXPECT_GT(choice.way.silent_m, 10);
   EXPECT_TRUE(choice.shortest.path.empty()) << "it is the way";
@@ -54,7 +59,7 @@ TEST_F(LinkWayTest, DrivesThroughWhereTheWayRoundIsTooFar) {
 }
 
 TEST_F(LinkWayTest, TakesTheShortestWayWhereTheLinkIsGood) {
-  const auto choice = sut_.choose(shortest(start_), *costs_, dead_zone(0, 0, 0));
+  const auto choice = choose(sut_, shortest(start_), dead_zone(0, 0, 0));
   EXPECT_NEAR(choice.way.length_m, 16, 0.2);
   EXPECT_TRUE(choice.shortest.path.empty());
 }
@@ -63,7 +68,7 @@ TEST_F(LinkWayTest, DoesNotGiveUpHalfOfADetour) {
   const LinkRisk risk = dead_zone(8, 12, 6);
   geometry::Point at = start_;
   for (int i = 0; i < 20; ++i) {
-    const auto choice = sut_.choose(shortest(at), *costs_, risk);
+    const auto choice = choose(sut_, shortest(at), risk);
     EXPECT_LT(choice.way.silent_m, 0.8) << "from " << at.x_m << ", " << at.y_m;
     const auto& path = choice.way.path;
     at = between(path[0], path[1], std::min(1.0, 0.5 / distance(path[0], path[1])));
@@ -73,20 +78,20 @@ TEST_F(LinkWayTest, DoesNotGiveUpHalfOfADetour) {
 
 TEST_F(LinkWayTest, AnotherGoalHasItsOwnAllowance) {
   const LinkRisk risk = dead_zone(8, 12, 6);
-  (void)sut_.choose(shortest({12.5, 4}), *costs_, risk);  // no detour is needed
+  (void)choose(sut_, shortest({12.5, 4}), risk);  // no detour is needed
   sut_.begin();
-  EXPECT_LT(sut_.choose(shortest(start_), *costs_, risk).way.silent_m, 0.5);
+  EXPECT_LT(choose(sut_, shortest(start_), risk).way.silent_m, 0.5);
 }
 
 TEST_F(LinkWayTest, WhatOneGoalLeavesTheNextMayUse) {
   const LinkRisk risk = dead_zone(6, 14, 8);
-  EXPECT_GT(sut_.choose(shortest(start_), *costs_, risk).way.silent_m, 6) << "too far for 15 %";
+  EXPECT_GT(choose(sut_, shortest(start_), risk).way.silent_m, 6) << "too far for 15 %";
   sut_.begin();
-  (void)sut_.choose(*planner_.plan({18, 9}, {2, 9}), *costs_, risk);  // needs no detour
+  (void)choose(sut_, *planner_.plan({18, 9}, {2, 9}), risk);  // needs no detour
   int round = 0;
   for (; round < 10; ++round) {
     sut_.begin();
-    if (sut_.choose(shortest(start_), *costs_, risk).way.silent_m > 6) break;
+    if (choose(sut_, shortest(start_), risk).way.silent_m > 6) break;
   }
   EXPECT_GE(round, 1);
   EXPECT_LT(round, 5) << "it is used up";
@@ -94,7 +99,7 @@ TEST_F(LinkWayTest, WhatOneGoalLeavesTheNextMayUse) {
 
 TEST_F(LinkWayTest, WithoutAnAllowanceItIsTheShortest) {
   LinkWayChooser none(0);
-  const auto choice = none.choose(shortest(start_), *costs_, dead_zone(8, 12, 6));
+  const auto choice = choose(none, shortest(start_), dead_zone(8, 12, 6));
   EXPECT_NEAR(choice.way.length_m, 16, 0.2);
   EXPECT_GT(choice.way.silent_m, 3.5);
 }

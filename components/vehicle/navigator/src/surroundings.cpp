@@ -27,6 +27,7 @@ void Surroundings::set_map(const navigation::OccupancyMap& map) {
   is_growing_ = true;
   map_ = map;
   costs_ = std::make_shared<const navigation::CostMap>(map, inflation_);
+  if (link_) link_cells_ = link_->on(costs_->grid());
   plan_round({});
   obstacles_.set_map(map);
 }
@@ -44,6 +45,7 @@ void Surroundings::on_touch(const geometry::Point& at, Time now) {
 
 void Surroundings::set_link(navigation::LinkRisk risk) {
   link_ = std::move(risk);
+  link_cells_ = link_->on(costs_->grid());
   has_new_link_ = params_.link_detour > 0;
 }
 
@@ -58,7 +60,7 @@ std::optional<geometry::Path> Surroundings::plan(const geometry::Point& from,
   choice_.reset();
   auto path = shortest(from, to);
   if (!path || !link_ || params_.link_detour == 0) return path;
-  choice_ = chooser_.choose(std::move(*path), *planned_costs_, *link_);
+  choice_ = chooser_.choose(std::move(*path), *planned_costs_, *link_, link_cells_);
   return choice_->way.path;
 }
 

@@ -86,7 +86,8 @@ class Vehicle {
         std::count_if(points.begin(), points.end(), [&](const Point& p) { return is_lost(p); }));
   }
   [[nodiscard]] navigation::WayChoice choose(const Path& shortest, double detour) {
-    return navigation::LinkWayChooser(detour).choose(shortest, *costs_, *risk_);
+    return navigation::LinkWayChooser(detour).choose(shortest, *costs_, *risk_,
+                                                     risk_->on(costs_->grid()));
   }
   [[nodiscard]] bool is_lost(const Point& p) { return hall_.mean_dbm(p) < Hall::half_dbm; }
   void take_map_of(const Vehicle& other) { risk_ = other.risk_; }

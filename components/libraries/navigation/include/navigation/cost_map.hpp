@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "geometry/pose.hpp"
-#include "navigation/link_risk.hpp"
 #include "navigation/occupancy_map.hpp"
 
 namespace tocsin::navigation {
@@ -44,9 +43,9 @@ class CostMap {
   /// The costs of `base`, and of obstacles in these of its cells as if they were walls.
   CostMap(const CostMap& base, const std::vector<CellIndex>& obstacles,
           const InflationParams& params);
-  /// The costs of `base`, each dearer by `weight` times the chance that the link is lost there, as
-  /// far as `dearest` allows.
-  CostMap(const CostMap& base, const LinkRisk& risk, double weight);
+  /// The costs of `base`, each dearer by `weight` times the share that it has of `shares`, as far
+  /// as `dearest` allows. Asserts that there is one for each cell.
+  CostMap(const CostMap& base, const std::vector<float>& shares, double weight);
 
   [[nodiscard]] const Grid& grid() const { return grid_; }
   [[nodiscard]] std::uint16_t cost(std::size_t offset) const { return costs_[offset]; }

@@ -20,6 +20,8 @@ class LinkRisk {
   [[nodiscard]] const Grid& grid() const { return grid_; }
   /// [range 0,1]; outside of the grid as at its rim. Asserts that `p` is finite.
   [[nodiscard]] double at(const geometry::Point& p) const;
+  /// The same in the middle of each cell of another grid, row by row from the origin up.
+  [[nodiscard]] std::vector<float> on(const Grid& grid) const;
   /// The metres of a path on which the link is expected to be lost; by speed, the seconds.
   [[nodiscard]] double silent_m(const geometry::Path& path) const;
 

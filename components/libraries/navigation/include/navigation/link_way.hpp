@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "geometry/pose.hpp"
 #include "navigation/cost_map.hpp"
@@ -36,13 +37,14 @@ class LinkWayChooser {
 
   /// The next way leads to another goal.
   void begin();
-  /// `shortest` leads from where the vehicle is now, over `costs`.
+  /// `shortest` leads from where the vehicle is now, over `costs`; `risks` is `risk.on` their grid.
   [[nodiscard]] WayChoice choose(geometry::Path shortest, const CostMap& costs,
-                                 const LinkRisk& risk);
+                                 const LinkRisk& risk, const std::vector<float>& risks);
 
  private:
   [[nodiscard]] std::optional<LinkWay> better(const LinkWay& plain, const CostMap& costs,
-                                              const LinkRisk& risk) const;
+                                              const LinkRisk& risk,
+                                              const std::vector<float>& risks) const;
   double most_detour_;
   double spare_m_ = 0;            ///< that goals before have left
   double saved_m_ = 0;            ///< the same, once this one is reached

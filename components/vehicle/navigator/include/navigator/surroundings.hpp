@@ -93,6 +93,7 @@ class Surroundings {
   std::optional<Time> planned_;
   std::uint64_t planned_version_ = 0;
   std::optional<navigation::LinkRisk> link_;
+  std::vector<float> link_cells_;  ///< of it, on the floor's grid
   bool has_new_link_ = false;
   navigation::LinkWayChooser chooser_;
   std::optional<navigation::WayChoice> choice_;
