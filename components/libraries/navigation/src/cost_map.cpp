@@ -97,7 +97,7 @@ CostMap::CostMap(const CostMap& base, const std::vector<float>& shares, double w
   const auto factor = static_cast<float>(weight);
   for (std::size_t i = 0; i < costs_.size(); ++i) {
     const float dear = static_cast<float>(costs_[i]) * (1 + factor * shares[i]);
-    costs_[i] = static_cast<std::uint16_t>(std::min(dear, float{dearest}) + 0.5F);
+    costs_[i] = static_cast<std::uint16_t>(std::lround(std::min(dear, float{dearest})));
   }
 }
 
