@@ -49,7 +49,7 @@ def tests_of(package, labels):
         yield Test(package, test["name"], "system" in properties.get("LABELS", []),
                    pathlib.Path(result.group(1)) if result else None,
                    next((word for word in map(pathlib.Path, test.get("command", []))
-                         if word.name == test["name"]), None))
+                         if word.is_absolute() and package.resolve() in word.parents), None))
 
 
 def read_cases(result_file):
@@ -134,10 +134,8 @@ def report(outcomes):
 def run_changed(tests, file):
     """Runs those that are not known to be good as they are."""
     memory = Memory(file)
-    names = collections.defaultdict(set)
-    for test in tests:
-        names[test.package].add(test.name)
-    digests = {test: digest_of_test(test.package, test.program, names[test.package])
+    programs = {test.program for test in tests}
+    digests = {test: digest_of_test(test.package, test.program, programs)
                for test in tests if test.program}
     known = {test: memory.cases(name_of(test), digest) for test, digest in digests.items()}
     known = {test: cases for test, cases in known.items() if cases is not None}

@@ -26,14 +26,11 @@ TransmissionControllerComponent::TransmissionControllerComponent(Context& contex
 }
 
 void TransmissionControllerComponent::tick(Time now) {
+  if (ahead_) controller_.foresee(outlook_ = ahead_->outlook(now));
   while (const auto quality = quality_.take()) {
-    if (ahead_) controller_.foresee(outlook_ = ahead_->outlook(now));
     const auto measured = decision::qni_input(quality->per_percent(), quality->signal_dbm(),
                                               quality->quality_percent());
     publish(controller_.on_quality(measured, now), now);
-  }
-  if (now >= controller_.deadline() && ahead_) {
-    controller_.foresee(outlook_ = ahead_->outlook(now));
   }
   if (const auto decision = controller_.on_time(now)) publish(*decision, now);
   if (now >= next_beat_) beat(now);

@@ -18,15 +18,6 @@ constexpr Duration stands_after = std::chrono::seconds(3);
 constexpr double moved_m = 0.2;
 constexpr double beside_m = 1;
 
-/// The share of the way from `a` to `b` that is nearest to `p`.
-double nearest_share(const Point& a, const Point& b, const Point& p) {
-  const double dx = b.x_m - a.x_m;
-  const double dy = b.y_m - a.y_m;
-  const double square = dx * dx + dy * dy;
-  if (square == 0) return 0;
-  return std::clamp(((p.x_m - a.x_m) * dx + (p.y_m - a.y_m) * dy) / square, 0.0, 1.0);
-}
-
 void add(Outlook& outlook, double risk) {
   outlook.risk_percent[outlook.size++] = static_cast<std::uint8_t>(std::lround(100 * risk));
 }

@@ -17,6 +17,7 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_INSTALL_RPATH "$ORIGIN" "$ORIGIN/.." "$ORIGIN/../lib")
 set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
 set(TOCSIN_TESTS "unit;component;system" CACHE STRING "Labels of the tests that are built and run")
+set(TOCSIN_CMAKE_FOLDER "${CMAKE_CURRENT_LIST_DIR}")
 set(TOCSIN_SANITIZE "" CACHE STRING "Sanitizers for all of our code: address,undefined or thread")
 
 # Finds the packages of a LINK list: `package::target`, or a package by its name. Every function below
@@ -267,12 +268,12 @@ endfunction()
 # What TOCSIN_TESTS does not name is built on demand only and does not run, except of packages that
 # are tests as a whole (test/). With a sanitizer, tests may take five times as long.
 # PROGRAMS are programs of this package that the test runs: tocsin-qos is QOS_PROGRAM for it.
-# tocsin_test(path LABEL unit LINK target ... [SOURCES ...] [TIMEOUT seconds] [PROGRAMS name ...])
+# tocsin_test(path LABEL unit LINK target ... [SOURCES ...] [INCLUDE folder ...] [TIMEOUT seconds] [PROGRAMS name ...])
 function(tocsin_test path)
   if(NOT BUILD_TESTING)
     return()
   endif()
-  cmake_parse_arguments(A "" "LABEL;TIMEOUT" "LINK;SOURCES;PROGRAMS" ${ARGN})
+  cmake_parse_arguments(A "" "LABEL;TIMEOUT" "LINK;SOURCES;INCLUDE;PROGRAMS" ${ARGN})
   cmake_path(GET path FILENAME name)
   if(NOT A_LABEL MATCHES "^(unit|component|system)$")
     message(FATAL_ERROR "tocsin_test(${name}): LABEL '${A_LABEL}' is not unit, component or system")
@@ -280,42 +281,99 @@ function(tocsin_test path)
   if(NOT A_SOURCES)
     set(A_SOURCES test/${path}.cpp)
   endif()
-  if(NOT A_TIMEOUT)
-    set(A_TIMEOUT 120)
+  tocsin_test_program(${name} SOURCES ${A_SOURCES} LINK ${A_LINK} INCLUDE ${A_INCLUDE}
+                      PROGRAMS ${A_PROGRAMS})
+  tocsin_repository(repository)
+  set(repository_tests "${repository}/test")
+  cmake_path(IS_PREFIX repository_tests "${PROJECT_SOURCE_DIR}" of_tests)
+  if(A_LABEL IN_LIST TOCSIN_TESTS OR of_tests)
+    tocsin_add_test(${name} ${name} "${A_LABEL}" "${A_TIMEOUT}")
+  else()
+    set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
   endif()
+endfunction()
+
+# The program of one or more tests.
+function(tocsin_test_program name)
+  cmake_parse_arguments(A "" "" "LINK;SOURCES;INCLUDE;PROGRAMS" ${ARGN})
   tocsin_find(GTest ${A_LINK})
   add_executable(${name} ${A_SOURCES})
   target_link_libraries(${name} PRIVATE ${A_LINK} GTest::gmock GTest::gtest_main)
+  target_include_directories(${name} PRIVATE ${A_INCLUDE})
   tocsin_target_options(${name})
   tocsin_test_options(${name})
   tocsin_repository(repository)
-  set(repository_tests "${repository}/test")
   target_compile_definitions(${name} PRIVATE TOCSIN_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                                              TOCSIN_REPOSITORY="${repository}")
   tocsin_stage(${name} "${repository}" ${A_PROGRAMS})
+endfunction()
+
+# Has ctest run a test program, with further variables of its environment.
+function(tocsin_add_test name program label timeout)
+  if(NOT timeout)
+    set(timeout 120)
+  endif()
   if(TOCSIN_SANITIZE)
-    math(EXPR A_TIMEOUT "5 * ${A_TIMEOUT}")
+    math(EXPR timeout "5 * ${timeout}")
   endif()
-  cmake_path(IS_PREFIX repository_tests "${PROJECT_SOURCE_DIR}" of_tests)
-  if(NOT A_LABEL IN_LIST TOCSIN_TESTS AND NOT of_tests)
-    set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
-    return()
-  endif()
-  add_test(NAME ${name} COMMAND ${name} --gtest_shuffle
+  add_test(NAME ${name} COMMAND ${program} --gtest_shuffle
            --gtest_output=xml:${CMAKE_CURRENT_BINARY_DIR}/test_results/${name}.xml)
   # What a test leaves in ::testing::TempDir() meets no other test's.
   set(temporary "${CMAKE_CURRENT_BINARY_DIR}/test_tmp/${name}/")
   file(MAKE_DIRECTORY "${temporary}")
-  set_tests_properties(${name} PROPERTIES LABELS ${A_LABEL} TIMEOUT ${A_TIMEOUT}
-                       ENVIRONMENT "TEST_TMPDIR=${temporary}")
+  set_tests_properties(${name} PROPERTIES LABELS ${label} TIMEOUT ${timeout}
+                       ENVIRONMENT "TEST_TMPDIR=${temporary};${ARGN}")
 endfunction()
 
 # Tests that share their label and what they link: test/<name>_test.cpp each, with tocsin_test's arguments.
-# tocsin_tests(LABEL unit LINK target ... [TIMEOUT seconds] [PROGRAMS name ...] TESTS name ...)
+# With a sanitizer they are compiled and linked as one program, which runs one source at a time; so their
+# names are their sources' only, and no two sources have a fixture of the same name.
+# tocsin_tests(LABEL unit LINK target ... [INCLUDE folder ...] [TIMEOUT seconds] [PROGRAMS name ...] TESTS name ...)
 function(tocsin_tests)
-  cmake_parse_arguments(A "" "LABEL;TIMEOUT" "LINK;PROGRAMS;TESTS" ${ARGN})
+  cmake_parse_arguments(A "" "LABEL;TIMEOUT" "LINK;INCLUDE;PROGRAMS;TESTS" ${ARGN})
+  list(LENGTH A_TESTS count)
+  if(TOCSIN_SANITIZE AND count GREATER 1 AND A_LABEL IN_LIST TOCSIN_TESTS AND BUILD_TESTING)
+    tocsin_united_tests(LABEL ${A_LABEL} TIMEOUT ${A_TIMEOUT} LINK ${A_LINK} INCLUDE ${A_INCLUDE}
+                        PROGRAMS ${A_PROGRAMS} TESTS ${A_TESTS})
+    return()
+  endif()
   foreach(test IN LISTS A_TESTS)
-    tocsin_test(${test}_test LABEL ${A_LABEL} TIMEOUT ${A_TIMEOUT} LINK ${A_LINK} PROGRAMS ${A_PROGRAMS})
+    tocsin_test(${test}_test LABEL ${A_LABEL} TIMEOUT ${A_TIMEOUT} LINK ${A_LINK}
+                INCLUDE ${A_INCLUDE} PROGRAMS ${A_PROGRAMS})
+  endforeach()
+endfunction()
+
+# tocsin_tests, with a sanitizer.
+function(tocsin_united_tests)
+  cmake_parse_arguments(A "" "LABEL;TIMEOUT" "LINK;INCLUDE;PROGRAMS;TESTS" ${ARGN})
+  find_package(Python3 REQUIRED COMPONENTS Interpreter)
+  list(GET A_TESTS 0 first)
+  cmake_path(GET first FILENAME program)
+  string(APPEND program _and_other_tests)
+  set(script "${TOCSIN_CMAKE_FOLDER}/unite_tests.py")
+  set(sources)
+  set(rest "${TOCSIN_CMAKE_FOLDER}/united_tests_main.cpp")
+  foreach(test IN LISTS A_TESTS)
+    list(APPEND rest "${PROJECT_SOURCE_DIR}/test/${test}_test.cpp")
+  endforeach()
+  set(number 0)
+  while(rest)
+    list(SUBLIST rest 0 13 some)  # more take more memory than they save time
+    list(REMOVE_ITEM rest ${some})
+    set(source "${CMAKE_CURRENT_BINARY_DIR}/united/${program}_${number}.cpp")
+    add_custom_command(OUTPUT "${source}" DEPENDS "${script}" ${some} VERBATIM
+                       COMMAND Python3::Interpreter -B "${script}" "${source}" ${some})
+    list(APPEND sources "${source}")
+    math(EXPR number "${number} + 1")
+  endwhile()
+  file(MAKE_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/united")
+  tocsin_test_program(${program} SOURCES ${sources} LINK ${A_LINK} INCLUDE ${A_INCLUDE}
+                      PROGRAMS ${A_PROGRAMS})
+  foreach(test IN LISTS A_TESTS)
+    cmake_path(GET test PARENT_PATH folder)
+    target_include_directories(${program} PRIVATE "${PROJECT_SOURCE_DIR}/test/${folder}")
+    cmake_path(GET test FILENAME name)
+    tocsin_add_test(${name}_test ${program} "${A_LABEL}" "${A_TIMEOUT}" "TOCSIN_TEST_SOURCE=test/${test}_test.cpp")
   endforeach()
 endfunction()
 

@@ -17,14 +17,6 @@ namespace {
 constexpr double search_m = 1.0;
 constexpr double turn_gain_per_s = 2.0;
 
-double nearest_share(const geometry::Point& a, const geometry::Point& b, const geometry::Point& p) {
-  const double dx = b.x_m - a.x_m;
-  const double dy = b.y_m - a.y_m;
-  const double square = dx * dx + dy * dy;
-  if (square == 0) return 1;
-  return std::clamp(((p.x_m - a.x_m) * dx + (p.y_m - a.y_m) * dy) / square, 0.0, 1.0);
-}
-
 double step_towards(double from, double to, double most) {
   return from + std::clamp(to - from, -most, most);
 }

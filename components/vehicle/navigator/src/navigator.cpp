@@ -140,7 +140,9 @@ Navigator::Output Navigator::stand(State state, const geometry::Twist& velocity,
 bool Navigator::reconnects(Time now) {
   if (params_.on_link_lost != OnLinkLost::reconnect) return false;
   if (!is_link_lost(now)) {
-    if (reconnection_.is_on()) resumed_goal_ = goals_.present_number();
+    if (!reconnection_.is_on()) return false;
+    resumed_goal_ = goals_.present_number();
+    target_key_.reset();  // the place, or what was driven to before it
     reconnection_.end();
     return false;
   }
@@ -157,11 +159,11 @@ Navigator::Output Navigator::reconnect(Time now, Duration dt) {
                           params_.follower.speed_mps);
   if (!place) return stand(State::held, follower_.brake(dt), "link_lost");
   const geometry::Pose target{place->x_m, place->y_m, pose_.heading_rad};
-  constexpr std::uint64_t first_place = std::uint64_t{1} << 63U;  // no goal has such a number
-  Output output = drive_unheard({first_place + places_, target, home_tolerance_m}, now, dt);
+  constexpr std::uint64_t place_key = std::uint64_t{1} << 63U;  // no goal has such a number
+  Output output = drive_unheard({place_key, target, home_tolerance_m}, now, dt);
   const bool is_shut = blocked_since_ && blocked_reason_ == std::string_view("no_path");
   if (is_shut) reconnection_.give_up();
-  if (is_shut || (reached_ && reconnection_.on_arrival(now))) ++places_;
+  if (is_shut || (reached_ && reconnection_.on_arrival(now))) target_key_.reset();
   return output;
 }
 

@@ -33,20 +33,21 @@ std::optional<geometry::Point> Reconnection::place(const navigation::CostMap& co
     tried_.push_back(from);
   }
   if (!place_ && left_m_ > 0) {
-    place_ = best(costs, risk, from, goal, speed_mps);
-    left_m_ -= place_ ? navigation::DistanceField(costs, from).distance_m(*place_) : left_m_;
+    const auto found = best(costs, risk, from, goal, speed_mps);
+    left_m_ -= found ? found->way_m : left_m_;
+    if (found) place_ = found->at;
   }
   return place_;
 }
 
-std::optional<geometry::Point> Reconnection::best(const navigation::CostMap& costs,
-                                                  const navigation::LinkRisk& risk,
-                                                  const geometry::Point& from,
-                                                  const geometry::Point& goal,
-                                                  double speed_mps) const {
+std::optional<Reconnection::Place> Reconnection::best(const navigation::CostMap& costs,
+                                                      const navigation::LinkRisk& risk,
+                                                      const geometry::Point& from,
+                                                      const geometry::Point& goal,
+                                                      double speed_mps) const {
   const navigation::DistanceField there(costs, from);
   const navigation::DistanceField onwards(costs, goal);
-  std::optional<geometry::Point> best;
+  std::optional<Place> best;
   double least_s = infinity;
   const navigation::Grid& grid = risk.grid();
   for (int row = 0; row < grid.height; ++row) {
@@ -59,7 +60,7 @@ std::optional<geometry::Point> Reconnection::best(const navigation::CostMap& cos
           (way_m + onwards.distance_m(at)) / speed_mps + lost * (params_.reconnect_wait_s + miss_s);
       if (after_s >= least_s) continue;
       least_s = after_s;
-      best = at;
+      best = Place{at, way_m};
     }
   }
   return best;

@@ -28,7 +28,7 @@ void Surroundings::set_map(const navigation::OccupancyMap& map) {
   map_ = map;
   costs_ = std::make_shared<const navigation::CostMap>(map, inflation_);
   if (link_) link_cells_ = link_->on(costs_->grid());
-  plan_round({});
+  plan_over(costs_);
   obstacles_.set_map(map);
 }
 
@@ -69,7 +69,7 @@ std::optional<geometry::Path> Surroundings::shortest(const geometry::Point& from
   const auto cells = obstacles_.cells();
   if (obstacles_.version() != planned_version_) {
     planned_version_ = obstacles_.version();
-    plan_round(cells);
+    plan_over(std::make_shared<const navigation::CostMap>(*costs_, cells, inflation_));
   }
   auto path = planner_.plan(from, to);
   if (path || (cells.empty() && !is_growing_)) return path;
@@ -83,8 +83,8 @@ std::optional<geometry::Path> Surroundings::shortest(const geometry::Point& from
       .plan(from, to);
 }
 
-void Surroundings::plan_round(const std::vector<navigation::CellIndex>& obstacles) {
-  planned_costs_ = std::make_shared<const navigation::CostMap>(*costs_, obstacles, inflation_);
+void Surroundings::plan_over(std::shared_ptr<const navigation::CostMap> costs) {
+  planned_costs_ = std::move(costs);
   planner_ = navigation::Planner(planned_costs_);
 }
 

@@ -259,6 +259,20 @@ TEST(Navigator, AnExpiredGoalIsNoReasonToStayUnheard) {
   EXPECT_LT(vehicle.pose.x_m, 2.2);
 }
 
+TEST(Navigator, ASecondLossWithAnExpiredGoalLeadsToAnotherPlace) {
+  Vehicle vehicle(reconnecting(), 0);
+  lose_link(vehicle);
+  vehicle.pose = {3.5, 2, 0};
+  ASSERT_EQ(vehicle.send(1, {3.5, 3, 0}, 3), Answer::accepted);
+  (void)vehicle.run(12);
+  ASSERT_LT(vehicle.pose.x_m, 2.2) << "it stands at the place";
+  vehicle.sut.on_ground_station(vehicle.now);
+  (void)vehicle.run(1);
+  vehicle.pose = {3.5, 2, 0};  // somebody has carried it back
+  (void)vehicle.run(12);
+  EXPECT_LT(vehicle.pose.x_m, 2.2);
+}
+
 TEST(Navigator, StandsOnEmergencyStopOnItsWayToBeHeard) {
   Vehicle vehicle(reconnecting(), 0);
   lose_link(vehicle);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // link_bench: what a map of the link buys a vehicle in halls full of racks, of which a quarter of
-// the floor has no link: seconds without link by the way that is chosen, and the time until it is
-// heard again by where it turns after a loss. It drives at 0.5 m/s along what it has planned.
+// the floor has no link: seconds without link by the way that is chosen, and the time until the
+// link is back by where it turns after a loss. It drives at 0.5 m/s along what it has planned.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "command_line/command.hpp"
+#include "foundation/some_of.hpp"
 #include "hall.hpp"
 #include "link_map/link_map.hpp"
 #include "link_map/loss_curve.hpp"
@@ -152,11 +153,7 @@ class Vehicle {
       }
     }
     const auto begin = steady_clock::now();
-    std::vector<link_map::Place> places = survey.places();
-    const std::size_t stride = places.size() / 300 + 1;
-    std::vector<link_map::Place> some;
-    for (std::size_t i = 0; i < places.size(); i += stride) some.push_back(places[i]);
-    const link_map::LinkMap map(some);
+    const link_map::LinkMap map(some_of(survey.places(), 300));
     const auto curve = link_map::fit_loss_curve(survey.readings());
     risk_ = risk_of([&](const Point& p) { return risk(curve, map.predict(p)); });
     learned_in_ms_ = std::chrono::duration<double, std::milli>(steady_clock::now() - begin).count();

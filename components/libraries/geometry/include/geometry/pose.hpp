@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -48,6 +49,16 @@ using Path = std::vector<Point>;
 /// The point that lies the share `t` of the way from `a` to `b`.
 [[nodiscard]] inline Point between(const Point& a, const Point& b, double t) {
   return {a.x_m + t * (b.x_m - a.x_m), a.y_m + t * (b.y_m - a.y_m)};
+}
+
+/// The share of the way from `a` to `b` at which it is nearest to `p` [range 0,1]; 0 where both are
+/// the same.
+[[nodiscard]] inline double nearest_share(const Point& a, const Point& b, const Point& p) {
+  const double dx = b.x_m - a.x_m;
+  const double dy = b.y_m - a.y_m;
+  const double square = dx * dx + dy * dy;
+  if (square == 0) return 0;
+  return std::clamp(((p.x_m - a.x_m) * dx + (p.y_m - a.y_m) * dy) / square, 0.0, 1.0);
 }
 
 /// The same angle within (-pi, pi]; NaN for NaN and infinity.

@@ -34,13 +34,9 @@ struct Wall {
 
 /// The point of the wall that is nearest to `p`.
 [[nodiscard]] inline Point nearest_point(const Wall& wall, const Point& p) {
-  const double dx = wall.x2_m - wall.x1_m;
-  const double dy = wall.y2_m - wall.y1_m;
-  const double length2 = dx * dx + dy * dy;
-  double along = 0;
-  if (length2 > 0) along = ((p.x_m - wall.x1_m) * dx + (p.y_m - wall.y1_m) * dy) / length2;
-  along = std::clamp(along, 0.0, 1.0);
-  return {wall.x1_m + along * dx, wall.y1_m + along * dy};
+  const Point from{wall.x1_m, wall.y1_m};
+  const Point to{wall.x2_m, wall.y2_m};
+  return between(from, to, nearest_share(from, to, p));
 }
 
 }  // namespace tocsin::geometry

@@ -138,7 +138,7 @@ class Navigator {
 
  private:
   struct Target {
-    std::uint64_t key;  // the goal's number, 0 for the way home
+    std::uint64_t key;  // the goal's number, 0: home, the highest bit: to where it is heard
     geometry::Pose pose;
     double tolerance_m;
   };
@@ -176,7 +176,6 @@ class Navigator {
   std::optional<geometry::Pose> home_;  // the first pose
   LookAround look_around_;
   Reconnection reconnection_;
-  std::uint64_t places_ = 0;                   // that were driven to, to be heard again
   std::optional<std::uint64_t> resumed_goal_;  // that it drives on to after it was heard again
   geometry::Pose pose_;
   Time pose_time_{};

@@ -49,11 +49,14 @@ class Reconnection {
   void give_up();
 
  private:
-  [[nodiscard]] std::optional<geometry::Point> best(const navigation::CostMap& costs,
-                                                    const navigation::LinkRisk& risk,
-                                                    const geometry::Point& from,
-                                                    const geometry::Point& goal,
-                                                    double speed_mps) const;
+  struct Place {
+    geometry::Point at;
+    double way_m;  // to it
+  };
+  [[nodiscard]] std::optional<Place> best(const navigation::CostMap& costs,
+                                          const navigation::LinkRisk& risk,
+                                          const geometry::Point& from, const geometry::Point& goal,
+                                          double speed_mps) const;
   [[nodiscard]] bool is_tried(const geometry::Point& at) const;
 
   Params params_;

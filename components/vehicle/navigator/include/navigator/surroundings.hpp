@@ -80,7 +80,7 @@ class Surroundings {
  private:
   [[nodiscard]] std::optional<geometry::Path> shortest(const geometry::Point& from,
                                                        const geometry::Point& to);
-  void plan_round(const std::vector<navigation::CellIndex>& obstacles);
+  void plan_over(std::shared_ptr<const navigation::CostMap> costs);
   Params params_;
   navigation::InflationParams inflation_;
   navigation::OccupancyMap map_;
