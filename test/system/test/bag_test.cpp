@@ -10,7 +10,7 @@ namespace {
 
 using std::chrono::seconds;
 
-const std::string page = TOCSIN_REPOSITORY "/components/tools/bag_tool/README.md";
+const std::string page = TOCSIN_REPOSITORY "/components/tools/recording_tools/bag_tool/README.md";
 
 class BagPage : public ::testing::TestWithParam<int> {};
 

@@ -14,7 +14,7 @@ const periodMs = 100;
 const zeros = 3;
 
 /**
- * What an operator holds becomes commands, as in components/station/teleop: at once when it
+ * What an operator holds becomes commands, as in components/station/console/teleop: at once when it
  * changes, repeated while it is not zero, zero three times at release, then silence. Pure.
  */
 export class TeleopSender {
