@@ -68,7 +68,8 @@ def loaded_by(program):
 
 def digest_of_test(package, program, tests):
     """What decides what a test program of a package's build folder does; `tests` are all test programs."""
-    others = sorted(file for file in package.resolve().iterdir() if is_program(file) and file not in tests)
+    others = sorted(file for place in ("*", "*/*") for file in package.resolve().glob(place)
+                    if is_program(file) and file not in tests)
     read = [program, *others, *loaded_by(program)]
     facts = [repository_digest(), pages_digest(package), *(f"{file.name} {digest_of(file)}" for file in read),
              *(f"{name}={os.environ.get(name)}" for name in VARIABLES)]

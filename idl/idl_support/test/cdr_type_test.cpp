@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is shown of a field and given to an editor, by the type of the field; whole messages are in
-// test/idl.
+// test/interop/dialect.
 #include "idl_support/cdr_type.hpp"
 
 #include <gtest/gtest.h>
