@@ -18,7 +18,11 @@ set(CMAKE_INSTALL_RPATH "$ORIGIN" "$ORIGIN/.." "$ORIGIN/../lib")
 set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
 set(TOCSIN_TESTS "unit;component;system" CACHE STRING "Labels of the tests that are built and run")
 set(TOCSIN_CMAKE_FOLDER "${CMAKE_CURRENT_LIST_DIR}")
+set(TOCSIN_TESTED "" CACHE STRING "Packages whose tests are built and run; empty: all")
 set(TOCSIN_SANITIZE "" CACHE STRING "Sanitizers for all of our code: address,undefined or thread")
+if(TOCSIN_TESTED AND NOT PROJECT_NAME IN_LIST TOCSIN_TESTED AND NOT PROJECT_NAME STREQUAL tocsin_cmake)
+  set(BUILD_TESTING OFF)
+endif()
 
 # Finds the packages of a LINK list: `package::target`, or a package by its name. Every function below
 # calls it for its own list, so a package needs find_package for tocsin_cmake only.
@@ -58,11 +62,14 @@ function(tocsin_target_options target)
     target_compile_options(${target} PRIVATE -fsanitize=${TOCSIN_SANITIZE} -fno-omit-frame-pointer
                                              -fno-sanitize-recover=all -g1)
     target_link_options(${target} PUBLIC -fsanitize=${TOCSIN_SANITIZE})
-    # Optimised, the checks take twice as long to compile; only where the computing is, it pays.
-    get_target_property(type ${target} TYPE)
-    if(NOT type STREQUAL STATIC_LIBRARY)
-      target_compile_options(${target} PRIVATE -O0)
-    endif()
+  endif()
+  # Optimised, a source takes up to twice as long to compile; it pays where the computing is.
+  get_target_property(type ${target} TYPE)
+  set(computes "/components/(libraries|both|simulation)/")
+  if(TOCSIN_SANITIZE AND NOT (type STREQUAL STATIC_LIBRARY AND CMAKE_CURRENT_SOURCE_DIR MATCHES "${computes}"))
+    target_compile_options(${target} PRIVATE -O0)
+  elseif(CMAKE_BUILD_TYPE STREQUAL Release AND CMAKE_CURRENT_SOURCE_DIR MATCHES "/components/(tools|station)/")
+    target_compile_options(${target} PRIVATE -O1)
   endif()
 endfunction()
 
