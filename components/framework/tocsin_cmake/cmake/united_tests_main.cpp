@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <iostream>
 #include <string>
 
 namespace united_tests {
@@ -25,7 +26,7 @@ std::string cases_of(const std::string& source) {
       filter += std::string(suite.name()) + "." + test.name() + ":";
     }
   }
-  return filter.empty() ? "no case" : filter;
+  return filter;
 }
 
 }  // namespace united_tests
@@ -35,7 +36,12 @@ int main(int argc, char** argv) {
   const char* const source = std::getenv("TOCSIN_TEST_SOURCE");
   // A death test runs this program again with the filter of its case.
   if (source != nullptr && GTEST_FLAG_GET(filter) == "*") {
-    GTEST_FLAG_SET(filter, united_tests::cases_of(source));
+    const std::string cases = united_tests::cases_of(source);
+    if (cases.empty()) {
+      std::cerr << argv[0] << ": " << source << " has no case\n";
+      return 1;
+    }
+    GTEST_FLAG_SET(filter, cases);
   }
   return RUN_ALL_TESTS();
 }
