@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "dialect_test/dialect.hpp"
+#include "dialect/dialect.hpp"
 #include "idl_support/encode.hpp"
 
 namespace tocsin {
