@@ -22,7 +22,7 @@ struct ExitCodes : ::testing::Test {
     EXPECT_THAT(ended.output, HasSubstr(reason)) << words;
   }
   static void expect_simulator(int code, const std::string& words, const std::string& reason) {
-    const Ended ended = run_to_end(Stack::program("kobuki_simulator", "kobuki_simulator"), words);
+    const Ended ended = run_to_end(Stack::program("emulators", "kobuki_simulator"), words);
     EXPECT_EQ(ended.code, code) << words << "\n" << ended.output;
     EXPECT_THAT(ended.output, HasSubstr(reason)) << words;
   }

@@ -71,7 +71,7 @@ class LinkCallsTest : public ::testing::Test {
   }
   [[nodiscard]] std::string command(const std::string& tool, const std::string& words,
                                     const std::string& host = "gcs") const {
-    return fmt::format("{} {} --run-dir {} --host {}", Stack::program("topic_tool", tool), words,
+    return fmt::format("{} {} --run-dir {} --host {}", Stack::program("dds_tools", tool), words,
                        stack_.folder(), host);
   }
   [[nodiscard]] bool is_met() const {

@@ -65,7 +65,7 @@ TEST_F(OutOfTreeTest, WarningsOfUsersAreNoErrors) {
 
 TEST_F(OutOfTreeTest, TheirComponentsAreListedWithOursOnceTheirWorkspaceIsSourced) {
   EXPECT_EQ(play_sourced({"tocsin component types",
-                          {"lamp                     lamps", "navigator                navigator"},
+                          {"lamp                     lamps", "navigator                driving"},
                           1001}),
             "");
   EXPECT_EQ(play({"tocsin component types; echo end", {"end"}, 1002}, *workspace_,

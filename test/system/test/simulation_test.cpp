@@ -51,7 +51,7 @@ class SimulationTest : public ::testing::Test {
   /// What `tocsin decide` says of a recorded file, in JSON.
   [[nodiscard]] nlohmann::json decide(const std::string& file, const std::string& arguments) const {
     const Ended ended =
-        execute("decision_tools", "tocsin-decide", folder_ + "/" + file + " --json " + arguments);
+        execute("lab", "tocsin-decide", folder_ + "/" + file + " --json " + arguments);
     EXPECT_EQ(ended.code, 0) << read("errors");
     return nlohmann::json::parse(ended.output, nullptr, false);
   }
@@ -187,7 +187,7 @@ TEST_F(SimulationTest, DecidingARecordedRunAgainGivesItsOwnDecisionsSampleBySamp
     EXPECT_GT(decided["recorded"]["decisions"], 50) << role;
     EXPECT_EQ(decided["recorded"]["same"], decided["recorded"]["decisions"]) << role;
   }
-  EXPECT_EQ(execute("decision_tools", "tocsin-decide", folder_ + "/1/uxv").code, 2);
+  EXPECT_EQ(execute("lab", "tocsin-decide", folder_ + "/1/uxv").code, 2);
   EXPECT_THAT(read("errors"), HasSubstr("of the roles uxv and gcs; choose one by --host"));
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 using std::chrono::seconds;
 
-const std::string tools = TOCSIN_REPOSITORY "/components/tools/";
+const std::string tools = TOCSIN_REPOSITORY "/components/tools/dds_tools/";
 const std::string topic_page = tools + "topic_tool/README.md";
 const std::string qos_page = tools + "qos_tool/README.md";
 

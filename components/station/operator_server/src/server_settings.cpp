@@ -81,7 +81,7 @@ WebSettings web_settings(const Context& context, const OperatorServerComponent::
   settings.bags = params.bags.empty() ? context.run_dir : params.bags;
   if (!context.run_dir.empty()) {
     settings.recorded = context.run_dir + "/" + to_string(context.role);
-    settings.decide = installed("decision_tools", "bin/tocsin-decide").string();
+    settings.decide = installed("lab", "bin/tocsin-decide").string();
   }
   settings.certificate = params.certificate;
   settings.key = params.key;
