@@ -25,6 +25,8 @@ import tempfile
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "components/framework/tocsin_cmake/cmake"))
+from unite_tests import united  # noqa: E402
 CLEAN = pathlib.Path(os.environ.get("XDG_CACHE_HOME") or "~/.cache").expanduser() / "tocsin/tidy"
 KEPT_DAYS = 30
 TOGETHER = 20  # sources of one translation unit at most: so that every core has work to the end
@@ -109,20 +111,6 @@ def tidy(file, arguments, test):
     return "" if done.returncode == 0 else done.stdout or done.stderr
 
 
-def tests_as_one(sources):
-    """Their headers, then each in a namespace, in which ours are seen as from their own places."""
-    texts = [source.file.read_text() for source in sources]
-    lines = list(dict.fromkeys(line for text in texts for line in re.findall(r"^#include .*", text, re.M)))
-    for number, (source, text) in enumerate(zip(sources, texts)):
-        spaces = sorted({"::".join(parts[:depth]) for name in re.findall(r"^namespace ([\w:]+) \{", text, re.M)
-                         for parts in [name.split("::")] for depth in range(1, len(parts) + 1)})
-        lines += [f"namespace {name} {{}}" for name in spaces]
-        lines.append(f"namespace test_{number} {{")
-        lines += [f"namespace {name} {{ using namespace ::{name}; }}" for name in spaces]
-        lines += [f'#include "{source.file}"', "}"]
-    return "\n".join(lines) + "\n"
-
-
 def joined_flags(sources):
     """The flags of all, and where their own headers lie; an option stays in front of its value."""
     beside = [f"-iquote{source.file.parent}" for source in sources]
@@ -137,7 +125,8 @@ def complaints_of(sources):
         text = tidy(sources[0].file, flags(sources[0]), test)
         return [text] if text else []
     with tempfile.NamedTemporaryFile("w", suffix=".cpp") as unit:
-        unit.write(tests_as_one(sources) if test else "".join(f'#include "{one.file}"\n' for one in sources))
+        unit.write(united(source.file for source in sources) if test
+                   else "".join(f'#include "{one.file}"\n' for one in sources))
         unit.flush()
         arguments = joined_flags(sources) if test else flags(sources[0])
         if not tidy(unit.name, arguments, test):

@@ -57,7 +57,7 @@ class EmergencyStopTest : public ::testing::Test {
   }
   /// `tocsin estop` as a person types it, from a folder of no run; its exit code.
   int estop(const std::vector<std::string>& words) {
-    std::vector<std::string> command{Stack::program("console", "tocsin-estop")};
+    std::vector<std::string> command{Stack::program("tocsin-estop")};
     command.insert(command.end(), words.begin(), words.end());
     said_ = stack_->scratch() + "/said";
     std::filesystem::remove(said_);

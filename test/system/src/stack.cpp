@@ -19,6 +19,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "command_line/programs.hpp"
 #include "foundation/csv_table.hpp"
 #include "foundation/datagram_socket.hpp"
 #include "recorded.hpp"
@@ -28,14 +29,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The install folder is either one for all packages or has a folder for each.
-fs::path installed(const std::string& package, const std::string& file) {
-  const fs::path own = TOCSIN_INSTALL;
-  for (const fs::path& path : {own / file, own.parent_path() / package / file}) {
-    if (fs::exists(path)) return path;
-  }
-  throw std::runtime_error(package + "/" + file + " is not installed: build all packages first");
-}
+/// What a program of the installation would say of itself: it is either one folder for all packages
+/// or has a folder for each.
+fs::path installed_program() { return TOCSIN_INSTALL "/bin/program"; }
 
 pid_t start(const std::vector<std::string>& words, const std::string& output) {
   std::vector<char*> pointers;
@@ -96,7 +92,7 @@ Stack::Stack(const std::vector<std::string>& arguments, int disk_mib) : own_disk
   folder_ = top_ + "/run";
   std::vector<std::string> words;
   if (own_disk_) words = on_own_disk(folder_, disk_mib);
-  words.insert(words.end(), {installed("tocsin_cli", "bin/tocsin"), "launch"});
+  words.insert(words.end(), {program("tocsin"), "launch"});
   words.insert(words.end(), arguments.begin(), arguments.end());
   words.insert(words.end(), {"--run-dir", folder_});
   launcher_ = start(words, top_ + "/launch.out");
@@ -118,12 +114,14 @@ std::string Stack::setup() {
   throw std::runtime_error("no setup.bash at " + own.string());
 }
 
-std::string Stack::program(const std::string& package, const std::string& name) {
-  return installed(package, "bin/" + name);
+std::string Stack::program(const std::string& name) {
+  const auto found = find_program(name, program_folders(installed_program(), ""));
+  if (!found) throw std::runtime_error(name + " is not installed: build all packages first");
+  return *found;
 }
 
 std::string Stack::share(const std::string& name) {
-  return installed("bringup", "share/tocsin/" + name);
+  return share_folder(installed_program()) / name;
 }
 
 bool Stack::eventually(std::chrono::seconds limit, const std::function<bool()>& condition) {

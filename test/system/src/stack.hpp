@@ -38,7 +38,7 @@ class Stack {
   Stack& operator=(const Stack&) = delete;
 
   /// Path of an installed program.
-  [[nodiscard]] static std::string program(const std::string& package, const std::string& name);
+  [[nodiscard]] static std::string program(const std::string& name);
   /// Path of the installation's setup.bash.
   [[nodiscard]] static std::string setup();
   /// Path of an installed file below share/tocsin.

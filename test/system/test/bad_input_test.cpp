@@ -24,7 +24,7 @@ class BadInputTest : public ::testing::Test {
                              const std::string& file = "mission.yaml") {
     std::string words = file;
     for (const std::string& word : more) words += " '" + word + "'";
-    const Ended check = run_to_end(Stack::program("tocsin_cli", "tocsin-check"), words);
+    const Ended check = run_to_end(Stack::program("tocsin-check"), words);
     EXPECT_EQ(check.code, 2) << check.output;
     EXPECT_THAT(check.output, HasSubstr(reason));
     expect_refused_by_launch(more, reason, file);

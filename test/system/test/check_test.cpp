@@ -14,7 +14,7 @@ using ::testing::EndsWith;
 using ::testing::HasSubstr;
 
 Ended check(const std::string& arguments) {
-  return run_to_end(Stack::program("tocsin_cli", "tocsin-check"), arguments);
+  return run_to_end(Stack::program("tocsin-check"), arguments);
 }
 
 TEST(Check, HasNoWarningForTheShippedFiles) {

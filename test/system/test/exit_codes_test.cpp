@@ -17,12 +17,12 @@ const std::string nowhere = " --domain 98";
 struct ExitCodes : ::testing::Test {
   /// `tocsin WORDS` ends with the code, and says `reason` in one line.
   static void expect(int code, const std::string& words, const std::string& reason = "") {
-    const Ended ended = run_to_end(Stack::program("tocsin_cli", "tocsin"), words);
+    const Ended ended = run_to_end(Stack::program("tocsin"), words);
     EXPECT_EQ(ended.code, code) << words << "\n" << ended.output;
     EXPECT_THAT(ended.output, HasSubstr(reason)) << words;
   }
   static void expect_simulator(int code, const std::string& words, const std::string& reason) {
-    const Ended ended = run_to_end(Stack::program("emulators", "kobuki_simulator"), words);
+    const Ended ended = run_to_end(Stack::program("kobuki_simulator"), words);
     EXPECT_EQ(ended.code, code) << words << "\n" << ended.output;
     EXPECT_THAT(ended.output, HasSubstr(reason)) << words;
   }

@@ -43,7 +43,7 @@ class FetchRuleTest : public ::testing::Test {
                         "       before_s: 5, after_s: 5}\n");
   }
   [[nodiscard]] static Ended estop(const std::string& word) {
-    return run_to_end(Stack::program("console", "tocsin-estop"), word);
+    return run_to_end(Stack::program("tocsin-estop"), word);
   }
   /// What the vehicle's router keeps of its request; a second one would be an event too many.
   [[nodiscard]] static std::optional<Window> kept(const Stack& stack) {

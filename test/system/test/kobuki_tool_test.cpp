@@ -20,7 +20,7 @@ class KobukiToolTest : public ::testing::Test {
  protected:
   /// Starts the simulated base and plays a script of faults from then on.
   void start_base(const std::string& script = "") {
-    std::vector<std::string> words{Stack::program("emulators", "kobuki_simulator"),
+    std::vector<std::string> words{Stack::program("kobuki_simulator"),
                                    "--link",
                                    folder_.path("port"),
                                    "--control",
@@ -35,7 +35,7 @@ class KobukiToolTest : public ::testing::Test {
   }
   /// Runs `tocsin kobuki` to its end; its exit code.
   int tool(std::vector<std::string> words) {
-    words.insert(words.begin(), Stack::program("vehicle_tools", "tocsin-kobuki"));
+    words.insert(words.begin(), Stack::program("tocsin-kobuki"));
     words.insert(words.end(), {"--port", folder_.path("port")});
     std::filesystem::remove(folder_.path("out"));
     return OperatorProcess(words, folder_.path("out")).exit_code(seconds(100));
@@ -87,9 +87,8 @@ TEST_F(KobukiToolTest, AsksForATerminalWhenAPersonMustAnswer) {
 }
 
 TEST_F(KobukiToolTest, NamesAPortThatIsNotThereInOneLine) {
-  OperatorProcess sut(
-      {Stack::program("vehicle_tools", "tocsin-kobuki"), "info", "--port", folder_.path("other")},
-      folder_.path("out"));
+  OperatorProcess sut({Stack::program("tocsin-kobuki"), "info", "--port", folder_.path("other")},
+                      folder_.path("out"));
   EXPECT_EQ(sut.exit_code(seconds(10)), 1);
 }
 

@@ -61,10 +61,10 @@ class LateReaderTest : public ::testing::Test {
   /// What `topic echo` prints on the station until the signal comes.
   static std::vector<int> echo(const Stack& stack, const std::string& signal, double s,
                                const std::string& arguments) {
-    const Ended ended = run_to_end(
-        "/usr/bin/timeout",
-        fmt::format("-s {} {} {} echo /history --run-dir {} --host gcs {}", signal, s,
-                    Stack::program("dds_tools", "tocsin-topic"), stack.folder(), arguments));
+    const Ended ended =
+        run_to_end("/usr/bin/timeout",
+                   fmt::format("-s {} {} {} echo /history --run-dir {} --host gcs {}", signal, s,
+                               Stack::program("tocsin-topic"), stack.folder(), arguments));
     std::vector<int> numbers;
     std::istringstream lines(ended.output);
     for (std::string line; std::getline(lines, line);) {
@@ -130,7 +130,7 @@ TEST_F(LateReaderTest, AConsumerThatIsKilledGetsEachSampleOverAnOutageAndAKilled
 
 TEST_F(LateReaderTest, ATopicThatIsInNoLogIsNamedWithThoseThatAre) {
   const Ended nobody =
-      run_to_end(Stack::program("dds_tools", "tocsin-topic"),
+      run_to_end(Stack::program("tocsin-topic"),
                  fmt::format("echo /camera --last 3 --log {} --spin-time 0.1", folder_.path()));
   EXPECT_EQ(nobody.code, 2);
   EXPECT_THAT(nobody.output, HasSubstr("has nothing of /camera"));

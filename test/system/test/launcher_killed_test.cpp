@@ -68,7 +68,7 @@ class PositionFeed {
 class LauncherKilledTest : public ::testing::Test {
  protected:
   [[nodiscard]] std::vector<std::string> base() const {
-    return {Stack::program("emulators", "kobuki_simulator"),
+    return {Stack::program("kobuki_simulator"),
             "--link",
             folder_.path("kobuki"),
             "--start",

@@ -71,8 +71,8 @@ class LinkCallsTest : public ::testing::Test {
   }
   [[nodiscard]] std::string command(const std::string& tool, const std::string& words,
                                     const std::string& host = "gcs") const {
-    return fmt::format("{} {} --run-dir {} --host {}", Stack::program("dds_tools", tool), words,
-                       stack_.folder(), host);
+    return fmt::format("{} {} --run-dir {} --host {}", Stack::program(tool), words, stack_.folder(),
+                       host);
   }
   [[nodiscard]] bool is_met() const {
     return stack_.logged("gcs is on the link") && stack_.logged("uxv is on the link");
@@ -127,8 +127,8 @@ class Identities {
 
  private:
   void run(const std::string& words) const {
-    const Ended ended = run_to_end(Stack::program("tocsin_cli", "tocsin-keystore"),
-                                   words + " --keystore " + path());
+    const Ended ended =
+        run_to_end(Stack::program("tocsin-keystore"), words + " --keystore " + path());
     ASSERT_EQ(ended.code, 0) << ended.output;
   }
   const TemporaryFolder folder_;

@@ -22,7 +22,7 @@ class LogFetchTest : public ::testing::Test {
   [[nodiscard]] static Ended log(const Stack& stack, const std::string& arguments) {
     const auto [verb, rest] = std::pair(arguments.substr(0, arguments.find(' ')),
                                         arguments.substr(arguments.find(' ') + 1));
-    return run_to_end(Stack::program("recording_tools", "tocsin-log"),
+    return run_to_end(Stack::program("tocsin-log"),
                       fmt::format("{} --run-dir {} --host gcs {}", verb, stack.folder(), rest));
   }
   [[nodiscard]] std::string fetch(const std::string& range, const std::string& bag) const {
@@ -66,7 +66,7 @@ TEST_F(LogFetchTest, WhatWasNeverSentCrossesOnceAlsoWhenTheVehiclesRouterIsKille
 }
 
 TEST_F(LogFetchTest, ATopicThatNobodyLogsIsNamedWithThoseThatThereAre) {
-  const Ended nobody = run_to_end(Stack::program("recording_tools", "tocsin-log"),
+  const Ended nobody = run_to_end(Stack::program("tocsin-log"),
                                   "fetch --topic odom --from -3 --domain 219 --spin-time 0.2");
   EXPECT_EQ(nobody.code, 1);
   EXPECT_THAT(nobody.output, HasSubstr("--topic: odom is in no log that is heard of"));

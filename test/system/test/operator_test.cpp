@@ -27,7 +27,7 @@ using ::testing::HasSubstr;
 class OperatorTest : public ::testing::Test {
  protected:
   static std::vector<std::string> verb(const Stack& stack, std::vector<std::string> words) {
-    words.insert(words.begin(), Stack::program("tocsin_cli", "tocsin"));
+    words.insert(words.begin(), Stack::program("tocsin"));
     words.insert(words.end(), {"--run-dir", stack.folder()});
     return words;
   }
@@ -109,8 +109,8 @@ TEST_F(OperatorTest, TheEmergencyStopHoldsOverADeathOfTheVehiclesProcessesAndIsR
 TEST_F(OperatorTest, DocksByOrderInVirtualTime) {
   for (const char* seed : {"1", "2", "3"}) {
     const TemporaryFolder folder;
-    OperatorProcess sim({Stack::program("simulation", "tocsin-sim"), "dock.yaml", "--seed", seed,
-                         "--run-dir", folder.path("run")},
+    OperatorProcess sim({Stack::program("tocsin-sim"), "dock.yaml", "--seed", seed, "--run-dir",
+                         folder.path("run")},
                         folder.path("out"));
     EXPECT_EQ(sim.exit_code(seconds(60)), 0);
     EXPECT_THAT(folder.read("out"), HasSubstr("docking docked")) << "seed " << seed;
@@ -129,7 +129,7 @@ TEST_F(OperatorTest, CancelsDocking) {
 }
 
 TEST_F(OperatorTest, SaysThatNothingRuns) {
-  OperatorProcess order({Stack::program("console", "tocsin-estop"), "on", "--run-dir", "/nowhere"},
+  OperatorProcess order({Stack::program("tocsin-estop"), "on", "--run-dir", "/nowhere"},
                         "/dev/null");
   EXPECT_EQ(order.exit_code(seconds(10)), 1);
 }

@@ -68,8 +68,8 @@ TEST_F(OrdinaryUser, RunsAHostWithoutAnyRightAndOthersDoNotReachIt) {
   const Ended refused = list(other_user, by_domain);
   EXPECT_EQ(refused.code, 1) << refused.output;
   EXPECT_THAT(refused.output, HasSubstr("no container runs on this host"));
-  const Ended root = run_to_end(Stack::program("runtime", "tocsin-component"),
-                                "list --run-dir " + folder_.path("run"));
+  const Ended root =
+      run_to_end(Stack::program("tocsin-component"), "list --run-dir " + folder_.path("run"));
   EXPECT_THAT(root.output, HasSubstr("/uxv/talker  process")) << "root becomes the user of the run";
 }
 
@@ -94,8 +94,8 @@ TEST(RootsLaunch, DrivesAMissionAsAnOrdinaryUserWhomRootAsksAndStops) {
   const TemporaryFolder folder;
   ASSERT_EQ(::chmod(folder.path().c_str(), 0755), 0);
   const TemporaryFolder log;
-  OperatorProcess launch({Stack::program("tocsin_cli", "tocsin"), "launch", "mission.yaml",
-                          "--user", std::to_string(user), "--run-dir", folder.path("run")},
+  OperatorProcess launch({Stack::program("tocsin"), "launch", "mission.yaml", "--user",
+                          std::to_string(user), "--run-dir", folder.path("run")},
                          log.path("launch"));
   const auto drives = [&] {
     const auto states =
@@ -110,11 +110,11 @@ TEST(RootsLaunch, DrivesAMissionAsAnOrdinaryUserWhomRootAsksAndStops) {
     EXPECT_EQ(rights.id, user) << name;
     EXPECT_EQ(rights.has_capabilities, name == "radio") << name;
   }
-  const Ended root = run_to_end(Stack::program("runtime", "tocsin-component"),
-                                "list --run-dir " + folder.path("run"));
+  const Ended root =
+      run_to_end(Stack::program("tocsin-component"), "list --run-dir " + folder.path("run"));
   EXPECT_THAT(root.output, HasSubstr("/navigator  navigator  active")) << "root becomes its user";
-  const Ended stop = run_to_end(Stack::program("tocsin_cli", "tocsin"),
-                                "estop on --run-dir " + folder.path("run"));
+  const Ended stop =
+      run_to_end(Stack::program("tocsin"), "estop on --run-dir " + folder.path("run"));
   EXPECT_EQ(stop.code, 0) << stop.output;
 }
 

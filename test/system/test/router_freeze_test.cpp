@@ -89,9 +89,8 @@ class RouterFreezeTest : public ::testing::Test {
   }
   /// `tocsin estop` as a person types it; its exit code.
   [[nodiscard]] int estop(const std::string& what) const {
-    return OperatorProcess(
-               {Stack::program("console", "tocsin-estop"), what, "--run-dir", stack_.folder()},
-               stack_.scratch() + "/said")
+    return OperatorProcess({Stack::program("tocsin-estop"), what, "--run-dir", stack_.folder()},
+                           stack_.scratch() + "/said")
         .exit_code(seconds(10));
   }
   [[nodiscard]] bool moves() const {

@@ -53,9 +53,9 @@ TEST_F(SecuredMission, SamplesCrossBothWaysAndSoonAgainAfterAKilledRouter) {
 
 TEST_F(SecuredMission, AnIdentityThatPeersWouldRefuseIsRefusedBeforeAnythingStarts) {
   std::filesystem::remove(store() + "/enclaves/gcs/key.pem");
-  const Ended ended = run_to_end(
-      Stack::program("tocsin_cli", "tocsin"),
-      "launch mission.yaml --security " + store() + " --run-dir " + folder_.path() + "/run");
+  const Ended ended =
+      run_to_end(Stack::program("tocsin"), "launch mission.yaml --security " + store() +
+                                               " --run-dir " + folder_.path() + "/run");
   EXPECT_EQ(ended.code, 2) << ended.output;
   EXPECT_THAT(ended.output, AllOf(HasSubstr("host gcs: "), HasSubstr("key.pem: cannot be read")));
   EXPECT_FALSE(std::filesystem::exists(folder_.path() + "/run/gcs"));

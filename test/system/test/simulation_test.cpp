@@ -44,21 +44,19 @@ class SimulationTest : public ::testing::Test {
     return run(arguments + " --run-dir " + folder_ + "/" + std::to_string(++runs_));
   }
   [[nodiscard]] Simulated run(const std::string& arguments) const {
-    Ended ended = execute("simulation", "tocsin-sim", arguments);
+    Ended ended = execute("tocsin-sim", arguments);
     auto digests = digests_in(ended.output);
     return {std::move(ended), std::move(digests)};
   }
   /// What `tocsin decide` says of a recorded file, in JSON.
   [[nodiscard]] nlohmann::json decide(const std::string& file, const std::string& arguments) const {
-    const Ended ended =
-        execute("lab", "tocsin-decide", folder_ + "/" + file + " --json " + arguments);
+    const Ended ended = execute("tocsin-decide", folder_ + "/" + file + " --json " + arguments);
     EXPECT_EQ(ended.code, 0) << read("errors");
     return nlohmann::json::parse(ended.output, nullptr, false);
   }
-  [[nodiscard]] Ended execute(const std::string& package, const std::string& name,
-                              const std::string& arguments) const {
+  [[nodiscard]] Ended execute(const std::string& name, const std::string& arguments) const {
     const std::string quiet = "sh -c '\"$0\" \"$@\" 2>" + folder_ + "/errors' ";
-    return run_to_end(quiet + Stack::program(package, name), arguments);
+    return run_to_end(quiet + Stack::program(name), arguments);
   }
   [[nodiscard]] std::string read(const std::string& name) const {
     std::ifstream file(folder_ + "/" + name);
@@ -187,7 +185,7 @@ TEST_F(SimulationTest, DecidingARecordedRunAgainGivesItsOwnDecisionsSampleBySamp
     EXPECT_GT(decided["recorded"]["decisions"], 50) << role;
     EXPECT_EQ(decided["recorded"]["same"], decided["recorded"]["decisions"]) << role;
   }
-  EXPECT_EQ(execute("lab", "tocsin-decide", folder_ + "/1/uxv").code, 2);
+  EXPECT_EQ(execute("tocsin-decide", folder_ + "/1/uxv").code, 2);
   EXPECT_THAT(read("errors"), HasSubstr("of the roles uxv and gcs; choose one by --host"));
 }
 

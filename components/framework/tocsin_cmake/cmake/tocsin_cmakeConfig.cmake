@@ -62,14 +62,11 @@ function(tocsin_target_options target)
     target_compile_options(${target} PRIVATE -fsanitize=${TOCSIN_SANITIZE} -fno-omit-frame-pointer
                                              -fno-sanitize-recover=all -g1)
     target_link_options(${target} PUBLIC -fsanitize=${TOCSIN_SANITIZE})
-  endif()
-  # Optimised, a source takes up to twice as long to compile; it pays where the computing is.
-  get_target_property(type ${target} TYPE)
-  set(computes "/components/(libraries|both|simulation)/")
-  if(TOCSIN_SANITIZE AND NOT (type STREQUAL STATIC_LIBRARY AND CMAKE_CURRENT_SOURCE_DIR MATCHES "${computes}"))
-    target_compile_options(${target} PRIVATE -O0)
-  elseif(CMAKE_BUILD_TYPE STREQUAL Release AND CMAKE_CURRENT_SOURCE_DIR MATCHES "/components/(tools|station)/")
-    target_compile_options(${target} PRIVATE -O1)
+    # Optimised, the checks take twice as long to compile; only where the computing is, it pays.
+    get_target_property(type ${target} TYPE)
+    if(NOT type STREQUAL STATIC_LIBRARY)
+      target_compile_options(${target} PRIVATE -O0)
+    endif()
   endif()
 endfunction()
 

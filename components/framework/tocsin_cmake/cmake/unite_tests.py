@@ -24,4 +24,5 @@ def main():
     pathlib.Path(output).write_text(united(sources))
 
 
-main()
+if __name__ == "__main__":
+    main()

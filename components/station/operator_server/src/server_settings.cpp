@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "access_point.hpp"
+#include "command_line/programs.hpp"
 #include "foundation/error.hpp"
 #include "foundation/printable.hpp"
 #include "foundation/read_file.hpp"
@@ -81,7 +82,7 @@ WebSettings web_settings(const Context& context, const OperatorServerComponent::
   settings.bags = params.bags.empty() ? context.run_dir : params.bags;
   if (!context.run_dir.empty()) {
     settings.recorded = context.run_dir + "/" + to_string(context.role);
-    settings.decide = installed("lab", "bin/tocsin-decide").string();
+    settings.decide = find_program("tocsin-decide", program_folders()).value_or("").string();
   }
   settings.certificate = params.certificate;
   settings.key = params.key;

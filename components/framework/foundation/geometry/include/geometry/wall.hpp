@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
-
 #include "geometry/pose.hpp"
 
 namespace tocsin::geometry {

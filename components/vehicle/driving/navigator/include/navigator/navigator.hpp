@@ -138,7 +138,7 @@ class Navigator {
 
  private:
   struct Target {
-    std::uint64_t key;  // the goal's number, 0: home, the highest bit: to where it is heard
+    std::uint64_t key;  // the goal's number, 0: home, the highest bit: to a place with a link
     geometry::Pose pose;
     double tolerance_m;
   };
