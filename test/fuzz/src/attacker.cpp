@@ -11,6 +11,7 @@
 #include <fstream>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 
 namespace tocsin::fuzz {
 namespace {
@@ -23,21 +24,25 @@ sockaddr_in loopback(std::uint16_t port) {
   return address;
 }
 
-/// The state and the CPU time [s] of a task by its stat file; nothing when it is gone or a corpse.
-std::optional<double> cpu_of(const std::filesystem::path& task) {
+/// Whether a task by its stat file is neither gone nor a corpse.
+bool lives(const std::filesystem::path& task) {
   std::string text;
-  if (!std::getline(std::ifstream(task / "stat"), text)) return std::nullopt;
+  if (!std::getline(std::ifstream(task / "stat"), text)) return false;
   std::istringstream words(text.substr(text.rfind(')') + 1));
   char state = 0;
   words >> state;
-  if (state == 'Z' || state == 'X') return std::nullopt;
-  std::string skipped;
-  constexpr int before_utime = 10;
-  for (int i = 0; i < before_utime; ++i) words >> skipped;
-  double user = 0;
-  double system = 0;
-  words >> user >> system;
-  return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
+  return state != 'Z' && state != 'X';
+}
+
+/// How long a task has run or waited for a core [s]; nothing when it is gone. Errors:
+/// std::runtime_error when the kernel does not count that.
+std::optional<double> wanted_of(const std::filesystem::path& task) {
+  std::ifstream file(task / "schedstat");  // proc(5)
+  double ran_ns = 0;
+  double waited_ns = 0;
+  if (file >> ran_ns >> waited_ns) return 1e-9 * (ran_ns + waited_ns);
+  if (lives(task)) throw std::runtime_error((task / "schedstat").string() + " cannot be read");
+  return std::nullopt;
 }
 
 }  // namespace
@@ -106,7 +111,7 @@ std::vector<Packet> Attacker::answers_to(const Packet& announcement,
 
 std::optional<Vitals> vitals_of(pid_t process, const Vitals& before) {
   const std::filesystem::path folder = "/proc/" + std::to_string(process);
-  if (!cpu_of(folder)) return std::nullopt;
+  if (!lives(folder)) return std::nullopt;
   Vitals vitals;
   std::uint64_t total = 0;
   std::uint64_t pages = 0;
@@ -114,12 +119,12 @@ std::optional<Vitals> vitals_of(pid_t process, const Vitals& before) {
   vitals.resident_bytes = pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
   std::error_code gone;
   for (const auto& task : std::filesystem::directory_iterator(folder / "task", gone)) {
-    const auto cpu_s = cpu_of(task.path());
-    if (!cpu_s) continue;
+    const auto wanted_s = wanted_of(task.path());
+    if (!wanted_s) continue;
     const int id = std::stoi(task.path().filename());
-    double since = *cpu_s;
+    double since = *wanted_s;
     for (const auto& [earlier, had_s] : before.threads) since -= earlier == id ? had_s : 0;
-    vitals.threads.emplace_back(id, *cpu_s);
+    vitals.threads.emplace_back(id, *wanted_s);
     vitals.busiest_thread_s = std::max(vitals.busiest_thread_s, since);
   }
   return vitals;

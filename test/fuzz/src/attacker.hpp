@@ -47,8 +47,9 @@ class Attacker {
 /// How a process is.
 struct Vitals {
   std::uint64_t resident_bytes = 0;
-  double busiest_thread_s = 0;  ///< CPU time of the thread that had most since `before`
-  std::vector<std::pair<int, double>> threads;  ///< all of them, with their CPU time [s] so far
+  /// How long the busiest thread since `before` ran or waited for a core.
+  double busiest_thread_s = 0;
+  std::vector<std::pair<int, double>> threads;  ///< all of them, with that time [s] so far
 };
 /// Nothing when it does not run.
 [[nodiscard]] std::optional<Vitals> vitals_of(pid_t process, const Vitals& before = {});

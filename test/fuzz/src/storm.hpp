@@ -25,8 +25,8 @@ void send_storm(const Attacker& attacker, const StormSize& size);
 class Victims {
  public:
   explicit Victims(const std::vector<pid_t>& processes);
-  /// One line for each that died, has grown by more than 64 MiB, or has a thread that took more
-  /// than 0.3 of a core in a second of silence. Waits for that second.
+  /// One line for each that died, has grown by more than 64 MiB, or has a thread that spins. Takes
+  /// a second for each process, 15 where it spins.
   [[nodiscard]] std::vector<std::string> complaints() const;
 
  private:
