@@ -22,7 +22,7 @@ struct Limits {
   std::uint64_t gap_numbers = 1U << 20U;    ///< sequence numbers that one GAP may cover
   /// Sequence numbers by which the first of one HEARTBEAT may be ahead of what its reader was told;
   /// one that is further ahead becomes a step of so many. Fast DDS walks from one number to the
-  /// next, 0.1 to 0.5 us each, and the reception of that port stands still meanwhile.
+  /// next, 0.1 to 2 us each, and the reception of that port stands still meanwhile.
   std::int64_t jump_step = 1U << 20U;
   /// CPU time [s] that HEARTBEATs may cost which are more than `jump_free` numbers ahead
   /// (RtpsFilter::took). Those of a reader that has heard them all cost microseconds.
