@@ -48,11 +48,8 @@ class EmergencyStopTest : public ::testing::Test {
     arguments.insert(arguments.end(), more.begin(), more.end());
     stack_.emplace(arguments, disk_mib);
     wheels_ = stack_->scratch() + "/wheels";
-    // The last process of the file: all others run then.
-    ASSERT_TRUE(Stack::eventually(std::chrono::seconds(30), [&] {
-      return stack_->pid("gcs/mission") != 0;
-    })) << stack_->output();
-    watch_.emplace(stack_->pid("uxv/recorder"), on_host(domain), watch_wheels(wheels_));
+    (void)stack_->running("gcs/mission");  // the last process of the file
+    watch_.emplace(stack_->running("uxv/recorder"), on_host(domain), watch_wheels(wheels_));
     ASSERT_TRUE(moves()) << stack_->output();
   }
   /// `tocsin estop` as a person types it, from a folder of no run; its exit code.

@@ -164,6 +164,13 @@ pid_t Stack::pid(const std::string& process) const {
   return is_still_launcher(pid) ? 0 : pid;
 }
 
+pid_t Stack::running(const std::string& process) const {
+  if (!eventually(std::chrono::seconds(30), [&] { return pid(process) != 0; })) {
+    throw std::runtime_error(process + " does not run\n" + output());
+  }
+  return pid(process);
+}
+
 void Stack::fill_disk(const std::string& name) const {
   std::ofstream file(path(name), std::ios::binary);
   const std::string block(1U << 16U, 'x');

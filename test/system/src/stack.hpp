@@ -57,6 +57,8 @@ class Stack {
   /// not in its host's network yet).
   [[nodiscard]] std::vector<std::string> processes() const;
   [[nodiscard]] pid_t pid(const std::string& process) const;
+  /// The same, once it runs. Errors: std::runtime_error when it does not within half a minute.
+  [[nodiscard]] pid_t running(const std::string& process) const;
   /// Fills the disk of the run folder to the last byte with a file of this name.
   void fill_disk(const std::string& name) const;
   /// Sends a line to a control socket of the run folder, for example radio.sock.

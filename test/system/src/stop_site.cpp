@@ -89,10 +89,10 @@ StopSite::StopSite(const StopSiteOptions& options) {
                          [&] { return stack_->pid("gcs/recorder") != 0; })) {
     throw std::runtime_error(stack_->output());
   }
-  watch_.emplace(stack_->pid("uxv/recorder"), on_host(site_domain), watch_wheels(wheels_));
-  rogue_.emplace(stack_->pid("uxv/recorder"), on_host(site_domain), turn_on_the_spot());
+  watch_.emplace(stack_->running("uxv/recorder"), on_host(site_domain), watch_wheels(wheels_));
+  rogue_.emplace(stack_->running("uxv/recorder"), on_host(site_domain), turn_on_the_spot());
   // One that has begun long enough ago to be in its host's network.
-  person_.emplace(stack_->pid("gcs/link"));
+  person_.emplace(stack_->running("gcs/link"));
   const bool is_obeyed = Stack::eventually(std::chrono::seconds(40), [&] {
     return stack_->read("log/gcs.link.log").find("emergency stop off") != std::string::npos;
   });

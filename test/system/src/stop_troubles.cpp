@@ -86,7 +86,7 @@ std::shared_ptr<void> forging(const StopSite& site, const Forge& forge) {
     const bool up = host == "uxv";
     const Forger::Way way{up ? vehicle_address : station_address,
                           up ? station_address : vehicle_address};
-    forgers->all.push_back(std::make_unique<Peer>(site.stack().pid(host + "/recorder"), [=] {
+    forgers->all.push_back(std::make_unique<Peer>(site.stack().running(host + "/recorder"), [=] {
       const Forger forger(site_domain + 2, way);
       const auto victim = forger.overhear(host);
       if (!victim) throw std::runtime_error("nothing is overheard of " + host);
@@ -126,7 +126,7 @@ Trouble with(Forge forge) {
 /// A stranger on the link publishes velocities for the vehicle.
 std::shared_ptr<void> stranger(const StopSite& site) {
   auto peer =
-      std::make_shared<Peer>(site.stack().pid("gcs/recorder"), on_link(), turn_on_the_spot());
+      std::make_shared<Peer>(site.stack().running("gcs/recorder"), on_link(), turn_on_the_spot());
   std::this_thread::sleep_for(milliseconds(1500));
   return peer;
 }
@@ -135,7 +135,7 @@ std::shared_ptr<void> stranger(const StopSite& site) {
 std::shared_ptr<void> flood(const StopSite& site) {
   auto peers = std::make_shared<std::vector<std::unique_ptr<Peer>>>();
   for (const char* process : {"uxv/recorder", "gcs/recorder"}) {
-    peers->push_back(std::make_unique<Peer>(site.stack().pid(process), [] {
+    peers->push_back(std::make_unique<Peer>(site.stack().running(process), [] {
       const fuzz::Attacker attacker;
       for (unsigned seed = 1;; ++seed) {
         fuzz::send_storm(attacker, {5000, 5000, 2000, seed});

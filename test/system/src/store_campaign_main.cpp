@@ -103,7 +103,7 @@ bool run_mission(const Plan& plan, unsigned seed) {
     fmt::print("mission with seed {} does not drive\n{}\n", seed, stack.output());
     return false;
   }
-  const StationReaders readers(stack.pid("gcs/link"), standing_domain + 1,
+  const StationReaders readers(stack.running("gcs/link"), standing_domain + 1,
                                Stack::share("config/qos.yaml"), stored);
   std::this_thread::sleep_for(seconds(plan.before_s));
   stack.control("radio.sock", fmt::format("set outage {}", plan.outage_s));

@@ -29,7 +29,7 @@ class DriverStopTest : public EmergencyStopTest {
 TEST_F(DriverStopTest, HoldsWhoeverPublishesVelocitiesOnTheVehiclesHost) {
   drive();
   ASSERT_EQ(own_estop({"on"}), 0) << said();
-  const Peer rogue(stack_->pid("uxv/recorder"), on_host(domain), drive_past_all());
+  const Peer rogue(stack_->running("uxv/recorder"), on_host(domain), drive_past_all());
   EXPECT_TRUE(stands(5));
   const pid_t before = stack_->pid("uxv/drive");
   kill(before, SIGKILL);

@@ -88,9 +88,9 @@ TEST_F(EmergencyStopTest, HoldsOverTheDeathOfEachOfItsTwoProcesses) {
 TEST_F(EmergencyStopTest, AnotherPeersFalseDoesNotReleaseIt) {
   drive();
   ASSERT_EQ(estop({"on"}), 0) << said();
-  Peer at_vehicle(stack_->pid("uxv/recorder"), on_host(domain),
+  Peer at_vehicle(stack_->running("uxv/recorder"), on_host(domain),
                   repeat<topic::EmergencyStop>(word(false)));
-  Peer at_station(stack_->pid("gcs/recorder"), station_domains(domain),
+  Peer at_station(stack_->running("gcs/recorder"), station_domains(domain),
                   repeat<topic::EmergencyStop>(word(false)));
   EXPECT_TRUE(stands());
   EXPECT_EQ(estop({"status"}), 0);
@@ -101,7 +101,7 @@ TEST_F(EmergencyStopTest, AnotherPeersFalseDoesNotReleaseIt) {
 
 TEST_F(EmergencyStopTest, AnybodyMayStopAndWhatTheDeadLeftIsReleasedAtTheVehicle) {
   drive();
-  Peer button(stack_->pid("uxv/recorder"), on_host(domain),
+  Peer button(stack_->running("uxv/recorder"), on_host(domain),
               repeat<topic::EmergencyStop>(word(true)));
   ASSERT_TRUE(stands());
   EXPECT_EQ(estop({"off", "--wait", "2"}), 1);
@@ -160,7 +160,7 @@ TEST_F(TwoLaunchesTest, TheStopReachesAVehicleWhoseStationWasKilled) {
   wheels_ = stack_->scratch() + "/wheels";
   ASSERT_TRUE(Stack::eventually(seconds(30), [&] { return stack_->pid("uxv/drive") != 0; }))
       << stack_->output();
-  watch_.emplace(stack_->pid("uxv/drive"), on_host(domain), watch_wheels(wheels_));
+  watch_.emplace(stack_->running("uxv/drive"), on_host(domain), watch_wheels(wheels_));
   ASSERT_TRUE(moves()) << stack_->output() << station_->output();
   kill(station_->launcher(), SIGKILL);
   (void)station_->exit_code(seconds(5));
@@ -184,7 +184,7 @@ TEST_F(EmergencyStopTest, AForeignGoalWithTheLargestIdDoesNotBlockTheMission) {
   goal.tolerance_m(0.1);
   goal.lifetime_s(3600);
   {
-    const Peer foreign(stack_->pid("gcs/recorder"), station_domains(domain),
+    const Peer foreign(stack_->running("gcs/recorder"), station_domains(domain),
                        repeat<topic::Goal>(goal));
     const std::string largest = std::to_string(goal.id());
     ASSERT_TRUE(Stack::eventually(seconds(20), [&] {

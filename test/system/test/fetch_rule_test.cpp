@@ -87,7 +87,7 @@ TEST_F(FetchRuleTest, TenSecondsAroundAnEmergencyStopCrossOnceThoughTheRouterIsK
     return !all.empty() && all.back().at_ns - all.front().at_ns > 6'000'000'000;
   };
   ASSERT_TRUE(Stack::eventually(seconds(60), has_logged)) << stack.output();
-  const StationReaders readers(stack.pid("gcs/link"), standing_domain + 1,
+  const StationReaders readers(stack.running("gcs/link"), standing_domain + 1,
                                Stack::share("config/qos.yaml"), {"odom"});
   const Ended on = estop("on");
   ASSERT_EQ(on.code, 0) << on.output;

@@ -69,13 +69,13 @@ TEST(Gateway, AMessageOfATypeThatNobodyKnowsArrivesByteForByte) {
                                                                            << stack.output();
   }
   const std::string file = folder.path("came");
-  const Peer reader(stack.pid("gcs/link"), [&] {
+  const Peer reader(stack.running("gcs/link"), [&] {
     const auto graph = make_host_graph(on(station_domain));
     const auto reading = graph->read(
         never, [&](RawSample&& sample) { std::ofstream(file) << to_hex(*sample.bytes) << '\n'; });
     for (;;) pause();
   });
-  const Peer writer(stack.pid("uxv/link"), [] {
+  const Peer writer(stack.running("uxv/link"), [] {
     const auto graph = make_host_graph(on(robot_domain));
     const auto writing = graph->write(never);
     for (;;) {
@@ -121,14 +121,14 @@ TEST(Gateway, PicturesArriveThoughTheRadioLosesATenthOfItsPackets) {
   stack.control("radio.sock", "set delay_s 0.005");
   stack.control("radio.sock", "set loss 0.1");
   const std::string file = folder.path("numbers");
-  const Peer reader(stack.pid("gcs/link"), [&] {
+  const Peer reader(stack.running("gcs/link"), [&] {
     const auto graph = make_host_graph(on(station_domain));
     std::ofstream out(file);
     const auto reading = graph->read(
         never, [&](RawSample&& sample) { out << int{(*sample.bytes)[4]} << std::endl; });
     for (;;) pause();
   });
-  const Peer writer(stack.pid("uxv/link"), [] {
+  const Peer writer(stack.running("uxv/link"), [] {
     const auto graph = make_host_graph(on(robot_domain));
     const auto writing = graph->write(never);
     std::vector<std::uint8_t> picture(30'000);

@@ -47,7 +47,7 @@ class LateReaderTest : public ::testing::Test {
     options.qos_file = qos_;
     options.name = "history";
     options.host_domain = standing_domain;
-    counting_ = std::make_unique<Peer>(stack.pid("uxv/link"), options, [](Bus& bus) {
+    counting_ = std::make_unique<Peer>(stack.running("uxv/link"), options, [](Bus& bus) {
       const auto writer = bus.advertise({history, &type_info<Message>()});
       auto next = std::chrono::steady_clock::now();
       for (int count = 1;; ++count, next += period) {

@@ -185,7 +185,7 @@ TEST_F(LinkCallsTest, ParametersAndActionsOfTheVehicleWorkAtTheStationAndAnOutag
   BusOptions options;
   options.name = "standing";
   options.host_domain = standing_domain + 1;
-  const Peer standing(stack_.pid("gcs/link"), options, [](Bus& bus) {
+  const Peer standing(stack_.running("gcs/link"), options, [](Bus& bus) {
     const Standing client(bus);
     for (;;) pause();
   });

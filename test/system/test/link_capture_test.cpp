@@ -31,15 +31,15 @@ TEST(LinkCapture, ADatagramOfEightKilobytesFromAnotherParticipantArrives) {
   const TemporaryFolder folder;
   const Stack stack({standing_mission(folder.path()), "--seed", "1", "--without", "uxv/payload"});
   ASSERT_TRUE(Stack::eventually(seconds(30), [&] { return stack.pid("gcs/recorder") != 0; }));
-  const PacketTap gcs(stack.pid("gcs/recorder"));
+  const PacketTap gcs(stack.running("gcs/recorder"));
   if (!gcs.ok()) GTEST_SKIP() << "the namespaces cannot be entered";
   const Shared<Largest> arrived;
-  const Peer reader(stack.pid("uxv/drive"), on_host(standing_domain), [&](Bus& bus) {
+  const Peer reader(stack.running("uxv/drive"), on_host(standing_domain), [&](Bus& bus) {
     const auto subscription =
         bus.subscribe({{"crossing/large", "sensor", Scope::host}, &type_info<String>()}, *arrived);
     for (;;) pause();
   });
-  const Peer writer(stack.pid("gcs/recorder"), [] {
+  const Peer writer(stack.running("gcs/recorder"), [] {
     write_large({standing_domain + 2, "10.77.0.2", "10.77.0.1", "rt/crossing/large"}, 8000,
                 milliseconds(50));
   });

@@ -43,7 +43,7 @@ class RouterFreezeTest : public ::testing::Test {
     ASSERT_TRUE(Stack::eventually(seconds(30), [&] { return stack_.pid("gcs/mission") != 0; }))
         << stack_.output();
     wheels_ = stack_.scratch() + "/wheels";
-    watch_.emplace(stack_.pid("uxv/recorder"), on_host(domain), watch_wheels(wheels_));
+    watch_.emplace(stack_.running("uxv/recorder"), on_host(domain), watch_wheels(wheels_));
     ASSERT_TRUE(moves()) << stack_.output();
     std::this_thread::sleep_for(seconds(4));  // so that what comes once a second is known
   }

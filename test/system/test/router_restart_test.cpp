@@ -19,7 +19,7 @@ TEST(RouterRestart, SamplesCrossAgainAtOnceAndNoneIsOlderThanItsLifespan) {
   // A launcher that waited before the first restart would wait longer than the bound.
   const Stack stack({standing_mission(folder.path(), "restart: {backoff_s: 5}\n"), "--seed", "1"});
   ASSERT_TRUE(routers_run(stack)) << stack.output();
-  const Crossings crossings(stack.pid("uxv/link"), stack.pid("gcs/link"), standing_domain);
+  const Crossings crossings(stack.running("uxv/link"), stack.running("gcs/link"), standing_domain);
   constexpr std::size_t enough = 1200;  // 6 s: a launcher takes what was up for 5 s as sound
   const auto cross = [&] {
     return crossings.all(Way::up).size() > enough && crossings.all(Way::down).size() > enough;

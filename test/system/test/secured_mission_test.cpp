@@ -35,8 +35,8 @@ TEST_F(SecuredMission, SamplesCrossBothWaysAndSoonAgainAfterAKilledRouter) {
   const Stack stack({standing_mission(folder_.path(), "restart: {backoff_s: 2}\n"), "--seed", "1",
                      "--security", store()});
   ASSERT_TRUE(routers_run(stack)) << stack.output();
-  const PacketTap tap(stack.pid("uxv/link"));
-  const Crossings crossings(stack.pid("uxv/link"), stack.pid("gcs/link"), standing_domain);
+  const PacketTap tap(stack.running("uxv/link"));
+  const Crossings crossings(stack.running("uxv/link"), stack.running("gcs/link"), standing_domain);
   constexpr std::size_t enough = 1200;  // 6 s: a launcher takes what was up for 5 s as sound
   const auto cross = [&] {
     return crossings.all(Way::up).size() > enough && crossings.all(Way::down).size() > enough;

@@ -33,7 +33,7 @@ TEST(Soak, SamplesCrossAgainAfterEachFault) {
   const TemporaryFolder folder;
   const Stack stack({standing_mission(folder.path()), "--seed", "1"}, 64);
   ASSERT_TRUE(routers_run(stack)) << stack.output();
-  const Crossings crossings(stack.pid("uxv/link"), stack.pid("gcs/link"), standing_domain);
+  const Crossings crossings(stack.running("uxv/link"), stack.running("gcs/link"), standing_domain);
   const auto cross_from_now = [&] {
     const std::int64_t now = wall_now_ns();
     return Stack::eventually(seconds(60), [&] {

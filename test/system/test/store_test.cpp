@@ -76,7 +76,7 @@ class StoreTest : public ::testing::Test {
         "qos.yaml", "history: {reliability: reliable, durability: transient_local, depth: 400}\n");
   }
   void start_peers(const Stack& stack) {
-    peer(stack.pid("uxv/link"), standing_domain, [this](Bus& bus) {
+    peer(stack.running("uxv/link"), standing_domain, [this](Bus& bus) {
       const auto writer = bus.advertise({live, &type_info<Message>()});
       for (auto next = std::chrono::steady_clock::now(); !history_->ends; next += period) {
         std::this_thread::sleep_until(next);
@@ -86,7 +86,7 @@ class StoreTest : public ::testing::Test {
       }
       for (;;) pause();
     });
-    peer(stack.pid("gcs/link"), standing_domain + 1, [this](Bus& bus) {
+    peer(stack.running("gcs/link"), standing_domain + 1, [this](Bus& bus) {
       const auto one = bus.subscribe({live, &type_info<Message>()}, history_->live);
       const auto other = bus.subscribe({filled, &type_info<Message>()}, history_->filled);
       for (;;) pause();
