@@ -42,6 +42,7 @@ class OpenWriter final : public Publication {
   [[nodiscard]] bool has_readers() const override {
     return topic_.keeps_last || topic_.end.traffic_class || SimHost::has_readers(topic_);
   }
+  [[nodiscard]] bool is_read() const override { return SimHost::has_readers(topic_); }
 
  private:
   SimProcess& process_;

@@ -230,6 +230,16 @@ struct PlanChoice {
   using Message = tocsin_msgs::msg::PlanChoice;
   static constexpr TopicInfo info{"plan/choice", "state", Scope::host};
 };
+/// What the navigator plans with, frame map, as Nav2's costmaps: 0 free, 1 to 98 near something, 99
+/// where the robot would touch it, 100 an obstacle, -1 unknown. The whole floor, and 3 m about it.
+struct GlobalCostmap {
+  using Message = nav_msgs::msg::OccupancyGrid;
+  static constexpr TopicInfo info{"global_costmap/costmap", "state", Scope::host};
+};
+struct LocalCostmap {
+  using Message = nav_msgs::msg::OccupancyGrid;
+  static constexpr TopicInfo info{"local_costmap/costmap", "state", Scope::host};
+};
 /// What the collision brake does with the velocity, whenever it changes.
 struct CollisionMonitorState {
   using Message = nav2_msgs::msg::CollisionMonitorState;
@@ -340,7 +350,7 @@ using AllHostTopics =
          CmdVelDocking, CmdVelTeleop, CmdVelSelected, CmdVelChecked, CmdVelSmoothed, MuxActive,
          MuxInputs, MuxSetInputs, CollisionBrakeBypass, SafetyEnable, EmergencyStop, LinkStop,
          EmergencyStopRequest, EmergencyStopState, MissionPath, MissionCommand, Map, MapUpdates,
-         LinkRisk, ExploreStatus, AmclPose, ParticleCloud, Plan, PlanChoice, CollisionMonitorState,
-         LinkBudget, LogRequest, ContainerState>;
+         LinkRisk, ExploreStatus, AmclPose, ParticleCloud, Plan, PlanChoice, GlobalCostmap,
+         LocalCostmap, CollisionMonitorState, LinkBudget, LogRequest, ContainerState>;
 
 }  // namespace tocsin::topic

@@ -92,6 +92,8 @@ class Publication {
   }
   /// False: nobody would notice a write, now or as a late joiner. Thread-safe.
   [[nodiscard]] virtual bool has_readers() const { return true; }
+  /// Whether somebody reads now. Thread-safe.
+  [[nodiscard]] virtual bool is_read() const { return has_readers(); }
 };
 
 /// The only seam between components and the middleware.

@@ -105,6 +105,8 @@ class Output {
   }
   /// False: nobody would get it now, nor later, so that a message may as well not be made.
   [[nodiscard]] bool wanted() const { return publication_->has_readers(); }
+  /// Whether somebody reads now: enough for what is written often, though its last sample is kept.
+  [[nodiscard]] bool is_read() const { return publication_->is_read(); }
 
  private:
   std::unique_ptr<Publication> publication_;

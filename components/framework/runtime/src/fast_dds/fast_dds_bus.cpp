@@ -147,6 +147,7 @@ class ChannelPublication : public Publication {
     return channel_.end_instance(message, std::move(end));
   }
   [[nodiscard]] bool has_readers() const override { return channel_.has_readers(); }
+  [[nodiscard]] bool is_read() const override { return channel_.is_read(); }
 
  private:
   Sample head() {

@@ -51,6 +51,10 @@ class TopicChannel {
   [[nodiscard]] bool has_readers() const {
     return has_deadline_ || exchange_.has_receivers() || has_remote_readers();
   }
+  /// Whether somebody reads now.
+  [[nodiscard]] bool is_read() const {
+    return exchange_.has_receivers() || writer_->matched_readers() > 0;
+  }
   /// Changes the ends of this process, see Bus::change_qos.
   int change_qos(const QosChange& change, Time now);
   /// Both DDS endpoints of this topic.

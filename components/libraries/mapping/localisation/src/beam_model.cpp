@@ -2,6 +2,7 @@
 #include "localisation/beam_model.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "foundation/some_of.hpp"
 
@@ -36,14 +37,28 @@ Evidence BeamModel::evidence_of(const laser::Scan& scan, const geometry::Pose& p
       evidence.log_likelihood += beside_wall(away_m);
       continue;
     }
-    const double range_m = distance(laser, hit);
-    const auto wall_at_m = map_.raycast(laser, bearing(laser, hit), range_m);
-    const bool is_through = wall_at_m && *wall_at_m + through_m < range_m;
+    const bool is_through =
+        meets_wall(laser, bearing(laser, hit), distance(laser, hit) - through_m);
     evidence.through += is_through ? 1 : 0;
     evidence.log_likelihood += is_through ? goes_through : ends_early;
   }
   const auto count = static_cast<double>(hits.size());
   return {evidence.explained / count, evidence.through / count, evidence.log_likelihood / count};
+}
+
+/// Where nothing is near, it steps as far as that is sure (sphere tracing, Hart 1996).
+bool BeamModel::meets_wall(const geometry::Point& from, double bearing_rad, double until_m) const {
+  const double cell_m = distances_.grid().resolution_m;
+  const double c = std::cos(bearing_rad);
+  const double s = std::sin(bearing_rad);
+  for (double at_m = 0; at_m < until_m;) {
+    const geometry::Point here{from.x_m + at_m * c, from.y_m + at_m * s};
+    if (!distances_.grid().cell_of(here)) return false;
+    const double sure_m = distances_.nearest_m(here) - 1.5 * cell_m;  // of middles of two cells
+    if (sure_m < cell_m) return map_.raycast(here, bearing_rad, until_m - at_m).has_value();
+    at_m += sure_m;
+  }
+  return false;
 }
 
 double BeamModel::explained(const laser::Points& hits, const geometry::Pose& pose) const {

@@ -3,73 +3,73 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "foundation/numbers.hpp"
+#include <utility>
 
 namespace tocsin::localisation {
 namespace {
 
-constexpr double far_cells = 1e9;
+using navigation::Cell;
+using navigation::CellIndex;
+using navigation::Grid;
 
-/// Lower envelope of parabolas: squared distances in cells along one line.
-class LineTransform {
- public:
-  explicit LineTransform(std::size_t most) : at_(most), border_(most + 1), result_(most) {}
-
-  const std::vector<double>& run(const std::vector<double>& squares, int count) {
-    int last = 0;
-    at_[0] = 0;
-    border_[0] = -infinity;
-    border_[1] = infinity;
-    for (int q = 1; q < count; ++q) {
-      double meet = meeting(squares, q, at_[index(last)]);
-      while (meet <= border_[index(last)]) meet = meeting(squares, q, at_[index(--last)]);
-      at_[index(++last)] = q;
-      border_[index(last)] = meet;
-      border_[index(last + 1)] = infinity;
-    }
-    for (int q = 0, k = 0; q < count; ++q) {
-      while (border_[index(k + 1)] < q) ++k;
-      const double away = q - at_[index(k)];
-      result_[index(q)] = away * away + squares[index(at_[index(k)])];
-    }
-    return result_;
-  }
-
- private:
-  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
-  static double meeting(const std::vector<double>& squares, int q, int v) {
-    return ((squares[index(q)] + double(q) * q) - (squares[index(v)] + double(v) * v)) /
-           (2.0 * (q - v));
-  }
-  std::vector<int> at_;
-  std::vector<double> border_;
-  std::vector<double> result_;
+/// A row of the disc around an occupied cell, with the distances of its cells; an odd number of
+/// them, the middle one in the cell's column.
+struct DiscRow {
+  int row;
+  std::vector<float> distances_m;
 };
+
+std::vector<DiscRow> disc_of(double resolution_m) {
+  const double most_cells = DistanceMap::most_m / resolution_m;
+  const int reach = static_cast<int>(most_cells);
+  std::vector<DiscRow> disc;
+  for (int row = -reach; row <= reach; ++row) {
+    DiscRow cells{row, {}};
+    const int half = static_cast<int>(std::sqrt(most_cells * most_cells - double(row) * row));
+    for (int column = -half; column <= half; ++column) {
+      const double away_m = std::hypot(row, column) * resolution_m;
+      cells.distances_m.push_back(static_cast<float>(std::min(away_m, DistanceMap::most_m)));
+    }
+    disc.push_back(std::move(cells));
+  }
+  return disc;
+}
+
+/// The cells of a row come as near as the middle of the disc is.
+void approach(std::vector<float>& distances_m, const Grid& grid, CellIndex middle,
+              const DiscRow& disc) {
+  const int row = middle.row + disc.row;
+  if (row < 0 || row >= grid.height) return;
+  const int half = static_cast<int>(disc.distances_m.size() / 2);
+  const int first = std::max(0, middle.column - half);
+  const int last = std::min(grid.width - 1, middle.column + half);
+  float* const cells = &distances_m[grid.offset({first, row})];
+  const float* const away =
+      &disc.distances_m[static_cast<std::size_t>(first - (middle.column - half))];
+  for (int i = 0; i <= last - first; ++i) cells[i] = std::min(cells[i], away[i]);
+}
+
+/// Nothing is nearer to the middle of a wall than to its rim.
+bool is_rim(const navigation::OccupancyMap& map, CellIndex c) {
+  const auto is_open = [&](int columns, int rows) {
+    const CellIndex next{c.column + columns, c.row + rows};
+    return map.grid().contains(next) && map.at(next) != Cell::occupied;
+  };
+  return is_open(1, 0) || is_open(-1, 0) || is_open(0, 1) || is_open(0, -1);
+}
 
 }  // namespace
 
-DistanceMap::DistanceMap(const navigation::OccupancyMap& map) : grid_(map.grid()) {
-  const auto width = static_cast<std::size_t>(grid_.width);
-  const auto height = static_cast<std::size_t>(grid_.height);
-  std::vector<double> squares(grid_.size());
-  for (std::size_t i = 0; i < squares.size(); ++i) {
-    squares[i] = map.cells()[i] == navigation::Cell::occupied ? 0 : far_cells;
-  }
-  LineTransform transform(std::max(width, height));
-  std::vector<double> line(std::max(width, height));
-  for (std::size_t column = 0; column < width; ++column) {
-    for (std::size_t row = 0; row < height; ++row) line[row] = squares[row * width + column];
-    const auto& result = transform.run(line, grid_.height);
-    for (std::size_t row = 0; row < height; ++row) squares[row * width + column] = result[row];
-  }
-  distances_m_.resize(squares.size());
-  for (std::size_t row = 0; row < height; ++row) {
-    std::copy_n(squares.begin() + static_cast<std::ptrdiff_t>(row * width), width, line.begin());
-    const auto& result = transform.run(line, grid_.width);
-    for (std::size_t column = 0; column < width; ++column) {
-      const double away_m = std::sqrt(result[column]) * grid_.resolution_m;
-      distances_m_[row * width + column] = static_cast<float>(std::min(away_m, most_m));
+DistanceMap::DistanceMap(const navigation::OccupancyMap& map)
+    : grid_(map.grid()), distances_m_(grid_.size(), static_cast<float>(most_m)) {
+  const auto disc = disc_of(grid_.resolution_m);
+  for (int row = 0; row < grid_.height; ++row) {
+    for (int column = 0; column < grid_.width; ++column) {
+      const CellIndex cell{column, row};
+      if (map.at(cell) != Cell::occupied) continue;
+      distances_m_[grid_.offset(cell)] = 0;
+      if (!is_rim(map, cell)) continue;
+      for (const DiscRow& cells : disc) approach(distances_m_, grid_, cell, cells);
     }
   }
 }

@@ -16,36 +16,52 @@ constexpr double apart_m = 0.5;
 constexpr double apart_rad = 20 * degree;
 constexpr double blur_m = 0.3;
 
-/// Columns and rows of hits from the cell of the vehicle.
+/// Hits from the cell of the vehicle.
 struct Offsets {
-  std::vector<int> columns;
-  std::vector<int> rows;
+  std::vector<navigation::CellIndex> cells;
+  std::vector<std::ptrdiff_t> steps;  ///< the same in a grid's row-by-row order
+  navigation::CellIndex low;          ///< of the rectangle that holds them
+  navigation::CellIndex high;
 };
 
-Offsets offsets_of(const laser::Points& hits, double heading_rad, double resolution_m) {
+Offsets offsets_of(const laser::Points& hits, double heading_rad, const navigation::Grid& grid) {
   Offsets offsets;
   const double c = std::cos(heading_rad);
   const double s = std::sin(heading_rad);
   const std::size_t step = std::max<std::size_t>(1, hits.size() / tried_hits);
+  const auto cells = [&](double way_m) {
+    return static_cast<int>(std::lround(way_m / grid.resolution_m));
+  };
   for (std::size_t i = 0; i < hits.size(); i += step) {
     const geometry::Point& hit = hits[i];
-    offsets.columns.push_back(
-        static_cast<int>(std::lround((c * hit.x_m - s * hit.y_m) / resolution_m)));
-    offsets.rows.push_back(
-        static_cast<int>(std::lround((s * hit.x_m + c * hit.y_m) / resolution_m)));
+    const navigation::CellIndex at{cells(c * hit.x_m - s * hit.y_m),
+                                   cells(s * hit.x_m + c * hit.y_m)};
+    offsets.cells.push_back(at);
+    offsets.steps.push_back(std::ptrdiff_t{at.row} * grid.width + at.column);
+    offsets.low = {std::min(offsets.low.column, at.column), std::min(offsets.low.row, at.row)};
+    offsets.high = {std::max(offsets.high.column, at.column), std::max(offsets.high.row, at.row)};
   }
   return offsets;
 }
 
+float nearness(float away_m) { return std::max(0.0F, 1 - away_m / static_cast<float>(blur_m)); }
+
 /// How near the hits are to walls, from 0 to 1 each.
 float score_at(const DistanceMap& distances, const Offsets& offsets, navigation::CellIndex cell) {
   const navigation::Grid& grid = distances.grid();
+  const float* const here = &distances.cells()[grid.offset(cell)];
   float score = 0;
-  for (std::size_t i = 0; i < offsets.columns.size(); ++i) {
-    const navigation::CellIndex at{cell.column + offsets.columns[i], cell.row + offsets.rows[i]};
-    if (!grid.contains(at)) continue;
-    const float away_m = distances.cells()[grid.offset(at)];
-    score += std::max(0.0F, 1 - away_m / static_cast<float>(blur_m));
+  const bool are_inside =
+      grid.contains({cell.column + offsets.low.column, cell.row + offsets.low.row}) &&
+      grid.contains({cell.column + offsets.high.column, cell.row + offsets.high.row});
+  if (are_inside) {
+    for (const std::ptrdiff_t step : offsets.steps) score += nearness(here[step]);
+    return score;
+  }
+  for (std::size_t i = 0; i < offsets.cells.size(); ++i) {
+    const navigation::CellIndex& hit = offsets.cells[i];
+    if (!grid.contains({cell.column + hit.column, cell.row + hit.row})) continue;
+    score += nearness(here[offsets.steps[i]]);
   }
   return score;
 }
@@ -73,7 +89,7 @@ void GlobalSearch::work(int count) {
 void GlobalSearch::try_heading(double heading_rad) {
   const navigation::Grid& grid = map_.grid();
   const int step = std::max(1, static_cast<int>(lattice_m / grid.resolution_m));
-  const Offsets offsets = offsets_of(hits_, heading_rad, grid.resolution_m);
+  const Offsets offsets = offsets_of(hits_, heading_rad, grid);
   for (int row = step / 2; row < grid.height; row += step) {
     for (int column = step / 2; column < grid.width; column += step) {
       const navigation::CellIndex cell{column, row};

@@ -122,6 +122,10 @@ void ObstacleLayer::clear(const geometry::Point& from, const Reach& reach, Time 
   }
 }
 
+void ObstacleLayer::clear_all() {
+  while (!marks_.empty()) erase(marks_.begin());
+}
+
 void ObstacleLayer::forget(Time now) {
   for (auto at = marks_.begin(); at != marks_.end();) {
     const auto here = at++;

@@ -2,6 +2,7 @@
 #include "map_ports/map_output.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 #include <utility>
 
@@ -34,19 +35,25 @@ bool is_same_place(const navigation::Grid& a, const navigation::Grid& b) {
 
 }  // namespace
 
-topic::Map::Message map_message(const navigation::OccupancyMap& map) {
+topic::Map::Message grid_message(const navigation::Grid& grid, std::vector<std::int8_t> percents) {
+  assert(percents.size() == grid.size());
   topic::Map::Message message;
   message.header().frame_id("map");
-  const navigation::Grid& grid = map.grid();
   message.info().resolution(static_cast<float>(grid.resolution_m));
   message.info().width(static_cast<std::uint32_t>(grid.width));
   message.info().height(static_cast<std::uint32_t>(grid.height));
   message.info().origin().position().x(grid.origin.x_m);
   message.info().origin().position().y(grid.origin.y_m);
   message.info().origin().orientation().w(1);
-  message.data().reserve(grid.size());
-  for (const Cell cell : map.cells()) message.data().push_back(occupancy(cell));
+  message.data(std::move(percents));
   return message;
+}
+
+topic::Map::Message map_message(const navigation::OccupancyMap& map) {
+  std::vector<std::int8_t> percents;
+  percents.reserve(map.grid().size());
+  for (const Cell cell : map.cells()) percents.push_back(occupancy(cell));
+  return grid_message(map.grid(), std::move(percents));
 }
 
 MapOutput::MapOutput(Component& owner, double resolution_m)

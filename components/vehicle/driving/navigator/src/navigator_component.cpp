@@ -45,7 +45,10 @@ NavigatorComponent::NavigatorComponent(Context& context, const Params& params)
   if (params.map_file.empty()) map_.emplace(*this, WakeMode::time_triggered);
   if (params.localisation == PoseSource::localiser)
     amcl_pose_.emplace(*this, WakeMode::time_triggered);
-  if (params.navigator.surroundings.avoid_obstacles) obstacles_.emplace(*this);
+  if (params.navigator.surroundings.avoid_obstacles) {
+    obstacles_.emplace(*this);
+    costmaps_.emplace(*this);
+  }
   if (params.navigator.heeds_link()) link_.emplace(*this);
 }
 
@@ -60,6 +63,7 @@ void NavigatorComponent::tick(Time now) {
   take_odometry(now);
   take_localiser(now);
   if (obstacles_) obstacles_->take(navigator_, now);
+  if (costmaps_) costmaps_->take(navigator_);
   if (link_) link_->take(navigator_);
   const bool is_ordered = take_orders(now);
   report_location(now);
@@ -194,6 +198,7 @@ void NavigatorComponent::report_status(const Navigator::Status& status, Time now
 }
 
 void NavigatorComponent::report_plan(Time now) {
+  if (costmaps_) costmaps_->report(navigator_.surroundings(), pose_, wall(now), now);
   if (link_) link_->report(navigator_, params_.navigator.follower.speed_mps, wall(now));
   if (navigator_.plans() == plans_ || !plan_.wanted()) return;
   plans_ = navigator_.plans();

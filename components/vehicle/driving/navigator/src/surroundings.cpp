@@ -83,6 +83,11 @@ std::optional<geometry::Path> Surroundings::shortest(const geometry::Point& from
       .plan(from, to);
 }
 
+std::vector<std::int8_t> Surroundings::cost_percents(const navigation::CellWindow& window) const {
+  const auto cells = obstacles_.cells();
+  return navigation::cost_percents({*costs_, cells, inflation_}, map_, cells, window);
+}
+
 void Surroundings::plan_over(std::shared_ptr<const navigation::CostMap> costs) {
   planned_costs_ = std::move(costs);
   planner_ = navigation::Planner(planned_costs_);

@@ -32,6 +32,9 @@ class BeamModel {
   [[nodiscard]] double explained(const laser::Points& hits, const geometry::Pose& pose) const;
 
  private:
+  /// Whether a wall lies less than `until_m` away.
+  [[nodiscard]] bool meets_wall(const geometry::Point& from, double bearing_rad,
+                                double until_m) const;
   const navigation::OccupancyMap& map_;
   const DistanceMap& distances_;
 };

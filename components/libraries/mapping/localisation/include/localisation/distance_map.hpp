@@ -9,7 +9,7 @@
 namespace tocsin::localisation {
 
 /// How far it is from each place of a map to the nearest wall, up to a limit: exact between the
-/// middles of cells (Felzenszwalb and Huttenlocher, 2012), linear between them.
+/// middles of cells, linear between them. Made in time that walls take, not floor.
 class DistanceMap {
  public:
   static constexpr double most_m = 1.0;

@@ -47,6 +47,8 @@ class ObstacleLayer {
   void on_scan(const laser::Scan& scan, const geometry::Pose& pose, Time now);
   /// Something was touched there, or the floor ends.
   void on_touch(const geometry::Point& at, Time now);
+  /// Forgets all marks, those of touches, too.
+  void clear_all();
   /// Drops what is too old.
   void forget(Time now);
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <set>
+#include <vector>
 
 #include "navigation/occupancy_map.hpp"
 #include "navigation/tile_map.hpp"
@@ -10,6 +12,11 @@
 #include "tocsin_idl/topics.hpp"
 
 namespace tocsin {
+
+/// The message of values by place [%], row by row from the origin up, frame map. Asserts that there
+/// is one for each cell.
+[[nodiscard]] topic::Map::Message grid_message(const navigation::Grid& grid,
+                                               std::vector<std::int8_t> percents);
 
 /// The message of a map: occupancies [%] as map_server tells them in mode trinary, frame map.
 [[nodiscard]] topic::Map::Message map_message(const navigation::OccupancyMap& map);

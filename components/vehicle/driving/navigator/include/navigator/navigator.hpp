@@ -113,6 +113,9 @@ class Navigator {
   void set_map(const navigation::OccupancyMap& map) { surroundings_.set_map(map); }
   /// Where the link is lost.
   void set_link(navigation::LinkRisk risk) { surroundings_.set_link(std::move(risk)); }
+  /// What may be driven on.
+  [[nodiscard]] const Surroundings& surroundings() const { return surroundings_; }
+  void clear_obstacles() { surroundings_.clear_obstacles(); }
   /// Pose of the vehicle in the map frame; one that is not finite is ignored.
   void on_pose(const geometry::Pose& pose, Time now);
   /// A turn of the laser, measured by a vehicle at `pose` in the map frame; empty: not known where.

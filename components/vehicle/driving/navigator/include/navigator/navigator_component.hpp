@@ -9,6 +9,7 @@
 #include "geometry/pose.hpp"
 #include "geometry/twist.hpp"
 #include "map_ports/map_input.hpp"
+#include "navigator/costmap_ports.hpp"
 #include "navigator/link_ports.hpp"
 #include "navigator/localiser_file.hpp"
 #include "navigator/localiser_pose.hpp"
@@ -93,6 +94,7 @@ class NavigatorComponent final : public Component {
   std::optional<MapInput> map_;                              ///< without a file
   std::optional<OptionalInput<topic::AmclPose>> amcl_pose_;  ///< where a localiser tells the pose
   std::optional<ObstacleInputs> obstacles_;                  ///< where they are avoided
+  std::optional<CostmapPorts> costmaps_;                     ///< there, too
   std::optional<LinkPorts> link_;                            ///< where it is heeded
 
   Params params_;

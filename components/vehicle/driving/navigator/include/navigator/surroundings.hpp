@@ -9,6 +9,7 @@
 #include "foundation/parameters.hpp"
 #include "foundation/time.hpp"
 #include "geometry/pose.hpp"
+#include "navigation/cost_percent.hpp"
 #include "navigation/link_risk.hpp"
 #include "navigation/link_way.hpp"
 #include "navigation/obstacle_layer.hpp"
@@ -55,6 +56,12 @@ class Surroundings {
   [[nodiscard]] const std::optional<navigation::LinkRisk>& link() const { return link_; }
   /// What may be driven on, without what is seen besides.
   [[nodiscard]] const navigation::CostMap& costs() const { return *costs_; }
+  /// The grid of all of it, and costs as Nav2's costmaps tell them of a part [%], see
+  /// cost_percents.
+  [[nodiscard]] const navigation::Grid& grid() const { return map_.grid(); }
+  [[nodiscard]] std::vector<std::int8_t> cost_percents(const navigation::CellWindow& window) const;
+  /// Forgets what was seen and touched besides the map.
+  void clear_obstacles() { obstacles_.clear_all(); }
   /// False where obstacles are avoided and no scan has come for `scan_timeout_s`.
   [[nodiscard]] bool sees(Time now) const;
 

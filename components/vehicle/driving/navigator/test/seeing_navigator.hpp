@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "foundation/numbers.hpp"
+#include "navigator_rig.hpp"
+
+namespace tocsin {
+
+/// A navigator with a laser, before a wall that no map has.
+class SeeingNavigatorTest : public NavigatorComponentTest {
+ protected:
+  SeeingNavigatorTest() {
+    params_.navigator.surroundings.avoid_obstacles = true;
+    start();
+    topic::TfStatic::Message message;
+    geometry_msgs::msg::TransformStamped transform;
+    transform.child_frame_id("laser");
+    transform.transform().rotation().w(1);
+    message.transforms().push_back(transform);
+    bus_.publish<topic::TfStatic>(message);
+  }
+  [[nodiscard]] builtin_interfaces::msg::Time stamp() const {
+    const std::int64_t ns = bus_.wall_ns(bus_.now());
+    builtin_interfaces::msg::Time stamp;
+    stamp.sec(static_cast<std::int32_t>(ns / 1'000'000'000));
+    stamp.nanosec(static_cast<std::uint32_t>(ns % 1'000'000'000));
+    return stamp;
+  }
+  /// A turn that sees a wall across the way at x = `wall_m_` on the map.
+  void scan() {
+    topic::Scan::Message message;
+    message.header().stamp(stamp());
+    message.header().frame_id("laser");
+    message.angle_increment(static_cast<float>(degree));
+    message.range_max(12);
+    const geometry::Pose pose{odom_.x_m - 1, odom_.y_m, odom_.heading_rad};
+
+  }  // namespace tocsin
