@@ -24,6 +24,7 @@ constexpr double most_step_m = 1.5;  // of odometry from scan to scan
 // Evidence, logarithms.
 constexpr double hopeless = 20;          // less than the best by so much
 constexpr double decided = 12;           // more than any other, to become sure,
+constexpr double decided_in_time = 6;    // and the same after it has led for a while,
 constexpr double doubt_of_unknown = 25;  // and so much more where the map explains nothing
 constexpr double stays_decided = 5;      // to remain sure
 constexpr double follows = 2;            // the same while each scan shows what the last did
@@ -45,6 +46,8 @@ constexpr double vague_m2 = 0.09;
 constexpr int scans_to_lose = 8;
 constexpr int scans_to_follow = 10;
 constexpr double way_before_trust_m = 1.5;
+constexpr double way_before_patience_m = 3;  // along a corridor evidence does not add up,
+constexpr double way_of_patience_m = 3;      // but who is wrong does not lead for long
 constexpr int searches_before_trust = 3;
 constexpr double search_every = 0.5;  // of `since_search_`
 constexpr double look_around_every = 0.5;
@@ -358,8 +361,11 @@ bool Localiser::is_sure() const {
   // Who stands sees one place only: more searches, and a better fit.
   const bool has_moved = since_jump_m_ >= way_before_trust_m && searches_ >= searches_before_trust;
   const bool has_looked = searches_ >= 2 * searches_before_trust && best.explained > well_explained;
+  const double patience =
+      std::clamp((since_jump_m_ - way_before_patience_m) / way_of_patience_m, 0.0, 1.0);
+  const double to_become = decided + patience * (decided_in_time - decided);
   const double wanted =
-      was_tracked_ ? stays_decided : decided + doubt_of_unknown * (1 - best.explained);
+      was_tracked_ ? stays_decided : to_become + doubt_of_unknown * (1 - best.explained);
   const bool is_alone = lead_of_best() > wanted && (has_moved || has_looked);
   const bool fits = best.explained > std::max(params_.lost_below + 0.05, usual_ - 0.2) &&
                     best.through < most_through;

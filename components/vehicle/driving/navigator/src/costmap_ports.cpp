@@ -16,7 +16,7 @@ constexpr double local_side_m = 3;  // as in nav2_bringup
 /// True once in each period, as far as it is asked.
 bool is_due(Time& next, Duration period, Time now) {
   if (now < next) return false;
-  next = next_instant(period, now);
+  next = now + period;
   return true;
 }
 
