@@ -40,6 +40,7 @@ constexpr int scans_to_be_elsewhere = 2;  // one may be of somebody who passes c
 constexpr double usual_at_first = 0.6;
 constexpr double most_through = 0.1;  // of the beams of a pose that is right
 constexpr double well_explained = 0.75;
+constexpr double wholly_explained = 0.95;
 constexpr double least_explained = 0.15;
 constexpr double vague_m2 = 0.09;
 
@@ -356,14 +357,19 @@ bool Localiser::stays_followed() const {
          best.belief.covariance.topLeftCorner<2, 2>().trace() < vague_m2;
 }
 
+/// How far less evidence will do [range 0,1]: where the map explains everything, and the best has
+/// led for a while.
+double Localiser::patience() const {
+  if (hypotheses_.front().explained < wholly_explained) return 0;
+  return std::clamp((since_jump_m_ - way_before_patience_m) / way_of_patience_m, 0.0, 1.0);
+}
+
 bool Localiser::is_sure() const {
   const Hypothesis& best = hypotheses_.front();
   // Who stands sees one place only: more searches, and a better fit.
   const bool has_moved = since_jump_m_ >= way_before_trust_m && searches_ >= searches_before_trust;
   const bool has_looked = searches_ >= 2 * searches_before_trust && best.explained > well_explained;
-  const double patience =
-      std::clamp((since_jump_m_ - way_before_patience_m) / way_of_patience_m, 0.0, 1.0);
-  const double to_become = decided + patience * (decided_in_time - decided);
+  const double to_become = decided + patience() * (decided_in_time - decided);
   const double wanted =
       was_tracked_ ? stays_decided : to_become + doubt_of_unknown * (1 - best.explained);
   const bool is_alone = lead_of_best() > wanted && (has_moved || has_looked);

@@ -100,6 +100,7 @@ class Localiser {
   [[nodiscard]] bool wants_search() const;
   [[nodiscard]] double lead_of_best() const;
   [[nodiscard]] bool stays_followed() const;
+  [[nodiscard]] double patience() const;
   [[nodiscard]] bool is_sure() const;
   [[nodiscard]] Health health_of_best();
   [[nodiscard]] Estimate estimate();
