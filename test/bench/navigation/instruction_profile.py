@@ -21,7 +21,7 @@ import tempfile
 START_S = 15  # until it drives, and files are loaded
 A53_HZ = 1.2e9
 A53_PER_CYCLE = 0.6
-TICK = re.compile(r"^\s*([\d,]+)\s.*?tocsin::(?:[a-z_]+::)*(\w+)::tick\(")
+TICK = re.compile(r"^\s*([\d,]+)\s.*?tocsin::(?:[a-z_]+::)*(\w+Component)::tick\(")
 
 
 def instructions(bringup, seconds, folder):
