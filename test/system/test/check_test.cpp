@@ -18,8 +18,8 @@ Ended check(const std::string& arguments) {
 }
 
 TEST(Check, HasNoWarningForTheShippedFiles) {
-  for (const char* file :
-       {"mission.yaml", "obstacles.yaml", "foresight.yaml", "teleop.yaml", "dock.yaml"}) {
+  for (const char* file : {"mission.yaml", "obstacles.yaml", "foresight.yaml", "survey.yaml",
+                           "teleop.yaml", "dock.yaml"}) {
     const Ended ended = check(std::string(file) + " --strict");
     EXPECT_EQ(ended.code, 0) << file;
     EXPECT_THAT(ended.output, EndsWith("components; 0 errors, 0 warnings\n"));

@@ -121,6 +121,12 @@ TEST_F(SimulationTest, TheVehicleLearnsWhereItsLinkIsLostAndTakesOtherWays) {
   EXPECT_TRUE(has_saved) << choices;
 }
 
+TEST_F(SimulationTest, ASurveyIsDoneWithAModelOfTheLocaliser) {
+  const Simulated run = sim("survey.yaml --seed 1 --set modelled_localiser.lost_every_s=60");
+  EXPECT_EQ(run.code, 0) << run.output;
+  EXPECT_THAT(read("errors"), HasSubstr("mission mission_c: done"));
+}
+
 TEST_F(SimulationTest, TheBagOfEachSideSaysWhatItsTypesAre) {
   const Simulated run = sim("mission.yaml --seed 1");
   ASSERT_EQ(run.code, 0) << run.output;

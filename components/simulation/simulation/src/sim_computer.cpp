@@ -92,6 +92,15 @@ class SimWireless final : public network::WirelessDevice {
   network::WirelessAddress at_;
 };
 
+class SimTruePose final : public TruePose {
+ public:
+  explicit SimTruePose(const SimBase& base) : base_(base) {}
+  geometry::Pose read() override { return base_.model().pose(); }
+
+ private:
+  const SimBase& base_;
+};
+
 class SimFiles final : public DeviceFiles {
  public:
   explicit SimFiles(const SimComputer& computer) : computer_(computer) {}
@@ -116,6 +125,10 @@ SimComputer::SimComputer(Core& core, RadioLink& link, const Place& place, std::s
   });
   devices.add<network::WirelessDevice>([this](const network::WirelessAddress& at, const Readable&) {
     return std::make_unique<SimWireless>(*this, at);
+  });
+  devices.add<TruePose>([this](const std::string&, const Readable&) -> Opened<TruePose> {
+    if (bases_.empty()) return {};
+    return std::make_unique<SimTruePose>(*bases_.front());
   });
   devices.add<DeviceFiles>(
       [this](const std::string&, const Readable&) { return std::make_unique<SimFiles>(*this); });

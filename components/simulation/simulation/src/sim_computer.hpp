@@ -8,6 +8,7 @@
 
 #include "devices/computer.hpp"
 #include "devices/echo_device.hpp"
+#include "devices/true_pose.hpp"
 #include "devices/wireless.hpp"
 #include "radio_link.hpp"
 #include "sim_base.hpp"

@@ -43,6 +43,7 @@ class SimComputerTest : public ::testing::Test {
   static BaseOptions base_options() {
     BaseOptions options;
     options.link = "/dev/kobuki";
+    options.start = {0, 4, 0};
     return options;
   }
 
@@ -67,6 +68,14 @@ TEST_F(SimComputerTest, EchoComesBackAfterTheRoundTrip) {
   EXPECT_EQ(reply->sequence, 5);
   EXPECT_EQ(reply->received_at, sent + seconds(0.02));
   EXPECT_EQ(link_.pushed(), 2U);
+}
+
+TEST_F(SimComputerTest, KnowsTheTruePoseOfItsBase) {
+  const geometry::Pose pose = sut_.devices.open<TruePose>()->read();
+  EXPECT_EQ(pose.x_m, 0);
+  EXPECT_EQ(pose.y_m, 4);
+  const SimComputer station(core_, link_, {"gcs", radio::Direction::downlink}, "");
+  EXPECT_THROW((void)station.devices.open<TruePose>(), ConfigError) << "no vehicle";
 }
 
 /// Keeps what the channel told last.
