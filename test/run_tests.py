@@ -8,7 +8,7 @@ With --changed a program that is what it was when it passed counts as it did the
 again (passed_before.py).
 
 As many tests run side by side as there are cores, those that took longest the last time first; system
-tests mostly wait, and twice as many run. A system
+tests mostly wait, and twice as many run. One with the property RUN_SERIAL runs alone, after the others. A system
 test gets a network, process ids, a /dev/shm and mounts of its own, so that no other test hears or
 finds it; where the kernel or the container forbids that, system tests run one after the other. A test program that
 crashes, or leaves no result file, counts as one failed case. The last line is
@@ -27,7 +27,7 @@ import xml.etree.ElementTree as ElementTree
 
 from passed_before import Memory, digest_of_test
 
-Test = collections.namedtuple("Test", "package name system result_file program")
+Test = collections.namedtuple("Test", "package name system serial result_file program")
 Outcome = collections.namedtuple("Outcome", "passed failed skipped reasons seconds")
 
 # Root has the right to namespaces; anybody else becomes root of a user namespace first. The shell
@@ -47,6 +47,7 @@ def tests_of(package, labels):
         properties = {p["name"]: p["value"] for p in test.get("properties", [])}
         result = re.search(r"--gtest_output=xml:(\S+)", " ".join(test.get("command", [])))
         yield Test(package, test["name"], "system" in properties.get("LABELS", []),
+                   properties.get("RUN_SERIAL", False),
                    pathlib.Path(result.group(1)) if result else None,
                    next((word for word in map(pathlib.Path, test.get("command", []))
                          if word.is_absolute() and package.resolve() in word.parents), None))
@@ -109,13 +110,13 @@ def run_all(tests):
     world = private_world() if any(test.system for test in tests) else []
     if world is None:
         print("system tests run one after the other: no network namespaces here", flush=True)
-    alone = [test for test in tests if test.system and world is None]
+    alone = [test for test in tests if test.serial or (test.system and world is None)]
     wait = any(test.system and test not in alone for test in tests)
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count() * (2 if wait else 1)) as pool:
         started = [(test, pool.submit(run, test, world if test.system else []))
                    for test in tests if test not in alone]
         outcomes = {test: future.result() for test, future in started}
-    outcomes.update((test, run(test, [])) for test in alone)
+    outcomes.update((test, run(test, (world or []) if test.system else [])) for test in alone)
     return outcomes
 
 

@@ -10,16 +10,17 @@ namespace {
 
 constexpr double mib = 1024.0 * 1024.0;
 
-/// Whether a thread of a process runs, or waits for a core, nearly all of each second for longer
-/// than jumping numbers may cost (rtps_filter's `jump_cpu_s`, 4 s) while others need the core, too.
+/// Whether a thread of a process runs, or waits for a core, more than 0.3 s of each second for
+/// longer than jumping numbers may cost (rtps_filter's `jump_cpu_s`, 4 s) while others need the
+/// core, too.
 bool spins(pid_t process) {
-  constexpr double nearly_all_s = 0.8;
+  constexpr double most_s = 0.3;
   constexpr int periods = 15;
   for (int period = 0; period < periods; ++period) {
     const Vitals begin = vitals_of(process).value_or(Vitals{});
     std::this_thread::sleep_for(std::chrono::seconds(1));
     const auto end = vitals_of(process, begin);
-    if (!end || end->busiest_thread_s < nearly_all_s) return false;
+    if (!end || end->busiest_thread_s <= most_s) return false;
   }
   return true;
 }

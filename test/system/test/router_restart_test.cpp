@@ -17,7 +17,7 @@ using Way = Crossings::Way;
 TEST(RouterRestart, SamplesCrossAgainAtOnceAndNoneIsOlderThanItsLifespan) {
   const TemporaryFolder folder;
   // A launcher that waited before the first restart would wait longer than the bound.
-  const Stack stack({standing_mission(folder.path(), "restart: {backoff_s: 5}\n"), "--seed", "1"});
+  const Stack stack({standing_mission(folder.path(), "restart: {backoff_s: 2}\n"), "--seed", "1"});
   ASSERT_TRUE(routers_run(stack)) << stack.output();
   const Crossings crossings(stack.running("uxv/link"), stack.running("gcs/link"), standing_domain);
   constexpr std::size_t enough = 1200;  // 6 s: a launcher takes what was up for 5 s as sound
@@ -28,9 +28,9 @@ TEST(RouterRestart, SamplesCrossAgainAtOnceAndNoneIsOlderThanItsLifespan) {
   for (const char* const router : {"uxv/link", "gcs/link"}) {
     const auto recovery = kill_and_time(stack, router, crossings);
     ASSERT_TRUE(recovery) << router << " does not carry again\n" << stack.output();
-    // 0.1 to 0.25 s on a quiet computer, 1.4 s beside other tests.
-    EXPECT_LT(recovery->up_s, 3.0) << router;
-    EXPECT_LT(recovery->down_s, 3.0) << router;
+    // 0.1 to 0.25 s alone, where this test runs; 1.4 s beside others.
+    EXPECT_LT(recovery->up_s, 1.0) << router;
+    EXPECT_LT(recovery->down_s, 1.0) << router;
   }
   for (const Way way : {Way::up, Way::down}) {
     for (const Crossed& one : crossings.all(way)) {
