@@ -46,7 +46,8 @@ int print_help(const Folders& folders) {
 
 [[noreturn]] void reject(const std::string& verb, const Folders& folders) {
   if (std::find(shipped.begin(), shipped.end(), verb) != shipped.end()) {
-    throw EnvironmentError("'" + verb + "' is not built here; bringup/build run builds it");
+    throw EnvironmentError("'" + verb +
+                           "' is not here; bringup/build run builds it, package tocsin-sim has it");
   }
   throw ConfigError("'" + verb + "' is not a verb" +
                     did_you_mean(find_verbs(folders), verb, "the verbs are"));
@@ -58,7 +59,8 @@ int body(char** argv) {
   const std::string verb = argv[1];
   if (verb == "--help" || verb == "-h" || verb == "help") return print_help(folders);
   if (verb == "--version") {
-    std::printf("tocsin %s\n", TOCSIN_VERSION);
+    std::printf("tocsin %s (commit %s, Fast DDS %s)\n", TOCSIN_VERSION,
+                TOCSIN_COMMIT[0] == '\0' ? "unknown" : TOCSIN_COMMIT, FAST_DDS_VERSION);
     return 0;
   }
   const auto program =

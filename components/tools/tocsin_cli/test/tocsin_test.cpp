@@ -54,15 +54,17 @@ TEST_F(TocsinTest, ListsTheVerbsWhenNoneIsNear) {
 
 TEST_F(TocsinTest, TellsWhatBuildsAShippedVerbThatIsNotBuilt) {
   EXPECT_EQ(run("sim mission.yaml"), 1);
-  EXPECT_EQ(output(), "tocsin: 'sim' is not built here; bringup/build run builds it\n");
+  EXPECT_EQ(output(),
+            "tocsin: 'sim' is not here; bringup/build run builds it, package tocsin-sim has it\n");
 }
 
 TEST_F(TocsinTest, TellsTheVersionOfItsPackage) {
   std::ifstream package(TOCSIN_SOURCE_DIR "/package.xml");
   const std::string text{std::istreambuf_iterator<char>(package), {}};
   EXPECT_EQ(run("--version"), 0);
-  ASSERT_THAT(output(), ::testing::MatchesRegex("tocsin [0-9]+\\.[0-9]+\\.[0-9]+\n"));
-  const std::string version = output().substr(7, output().size() - 8);
+  ASSERT_THAT(output(), ::testing::MatchesRegex("tocsin [0-9]+\\.[0-9]+\\.[0-9]+ "
+                                                "\\(commit [0-9a-f]+, Fast DDS [0-9.]+\\)\n"));
+  const std::string version = output().substr(7, output().find(" (") - 7);
   EXPECT_THAT(text, HasSubstr("<version>" + version + "</version>"));
 }
 

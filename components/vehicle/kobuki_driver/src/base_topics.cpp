@@ -142,7 +142,7 @@ bool BaseTopics::publish_versions(const kobuki::Inquiry& inquiry) {
   VersionInfo message;
   message.hardware(to_text(*inquiry.hardware()));
   message.firmware(to_text(*inquiry.firmware()));
-  message.software("tocsin 0.1.0");
+  message.software("tocsin " TOCSIN_VERSION);
   message.udid({inquiry.unique_id()->begin(), inquiry.unique_id()->end()});
   message.features(feature_bits(*inquiry.firmware()));
   return versions_.write(std::move(message)) != Status::failed;

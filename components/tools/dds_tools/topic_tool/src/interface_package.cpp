@@ -95,7 +95,8 @@ class Package {
     for (const std::string& one : needs_) depends += fmt::format("  <depend>{}</depend>\n", one);
     return fmt::format(
         "<?xml version=\"1.0\"?>\n<package format=\"3\">\n  <name>{}</name>\n"
-        "  <version>0.1.0</version>\n"
+        "  <version>" TOCSIN_VERSION
+        "</version>\n"
         "  <description>Interfaces of Tocsin, made by tocsin interface export.</description>\n"
         "  <maintainer email=\"developers@tocsin.invalid\">Tocsin developers</maintainer>\n"
         "  <license>Apache-2.0</license>\n"

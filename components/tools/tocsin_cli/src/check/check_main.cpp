@@ -45,6 +45,17 @@ bool has_containers(const deployment::Deployment& deployment) {
                      [](const deployment::Host& host) { return !host.containers.empty(); });
 }
 
+/// Whether a host names a peer that is another file's.
+bool has_far_end(const std::vector<deployment::Host>& hosts) {
+  const auto is_here = [&](const std::string& peer) {
+    return std::any_of(hosts.begin(), hosts.end(),
+                       [&](const deployment::Host& host) { return host.address == peer; });
+  };
+  return std::any_of(hosts.begin(), hosts.end(), [&](const deployment::Host& host) {
+    return !std::all_of(host.peers.begin(), host.peers.end(), is_here);
+  });
+}
+
 std::vector<std::string> names_of_topics() {
   load_idl_libraries();
   std::vector<std::string> names;
@@ -64,7 +75,8 @@ void examine_files(const deployment::Deployment& deployment, BuiltGraph& built) 
       traffic.emplace(host.role, TrafficRules(deployment.traffic, host.role, chain));
     }
     const bool whole = built.findings.empty();
-    for (const Finding& finding : examine(built.graph, {qos, traffic, names_of_topics()})) {
+    const Rules rules{qos, traffic, names_of_topics(), has_far_end(deployment.hosts)};
+    for (const Finding& finding : examine(built.graph, rules)) {
       // A component that could not be built leaves its readers and writers alone.
       if (whole || finding.severity == Severity::error) built.findings.push_back(finding);
     }

@@ -136,7 +136,7 @@ class Examiner {
       const End end{&node, &port};
       check_class(end);
       check_owners(end);
-      if (has_counterpart(end)) continue;
+      if (has_counterpart(end) || may_be_written_far_away(port)) continue;
       const Lack lack = lack_of(port);
       alone[lack].push_back(port.topic);
       if (lack == Lack::writer) check_reach(end);
@@ -154,6 +154,10 @@ class Examiner {
       return other.port->writes != end.port->writes &&
              (end.port->writes ? reaches(end, other) : reaches(other, end));
     });
+  }
+
+  [[nodiscard]] bool may_be_written_far_away(const Port& port) const {
+    return rules_.has_far_end && !port.writes && port.scope == Scope::link;
   }
 
   /// A reader without a writer in reach: is there one out of reach?

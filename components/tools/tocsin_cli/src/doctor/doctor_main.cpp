@@ -11,6 +11,7 @@
 
 #include "command_line/bringup_options.hpp"
 #include "command_line/command.hpp"
+#include "equipment.hpp"
 #include "foundation/error.hpp"
 #include "foundation/file_descriptor.hpp"
 #include "leftovers.hpp"
@@ -62,14 +63,17 @@ int print(const Advices& advices) {
 int examine(BringupOptions& bringup, bool clean) {
   Advices advices = judge_limits(read_sysctl, ::geteuid() == 0);
   advices.push_back(judge_shared_memory(clean));
+  const auto add = [&](Advices more) {
+    for (Advice& one : more) advices.push_back(std::move(one));
+  };
+  add(judge_upgrade(running_programs()));
   if (bringup.file.empty()) return print(advices);
   bringup.locate();
-  if (load_deployment(bringup.file, bringup.overrides).radio) {
-    const int error = error_of_opening("/dev/net/tun");
-    for (Advice& one : judge_radio(read_sysctl, ::geteuid() == 0, error)) {
-      advices.push_back(std::move(one));
-    }
+  const auto deployment = load_deployment(bringup.file, bringup.overrides);
+  if (deployment.radio) {
+    add(judge_radio(read_sysctl, ::geteuid() == 0, error_of_opening("/dev/net/tun")));
   }
+  add(judge_equipment(deployment, own_equipment()));
   return print(advices);
 }
 
@@ -77,7 +81,7 @@ int examine(BringupOptions& bringup, bool clean) {
 }  // namespace tocsin::doctor
 
 int main(int argc, char** argv) {
-  CLI::App app{"Is this computer fit to run the stack? With FILE: its emulated radio, too",
+  CLI::App app{"Is this computer fit to run the stack? With FILE: its radio and devices, too",
                "tocsin doctor"};
   tocsin::BringupOptions bringup;
   bool clean = false;

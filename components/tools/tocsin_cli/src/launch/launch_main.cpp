@@ -23,6 +23,7 @@
 #include "open_link.hpp"
 #include "run_folder.hpp"
 #include "served_port.hpp"
+#include "service_manager.hpp"
 
 namespace tocsin::cli {
 namespace {
@@ -117,6 +118,7 @@ struct LaunchOptions {
 };
 
 int launch(LaunchOptions& given) {
+  ServiceManager service;
   BringupOptions& options = given.bringup;
   options.locate();
   deployment::Overrides& overrides = options.overrides;
@@ -142,7 +144,7 @@ int launch(LaunchOptions& given) {
   journal.say(domains_line(deployment));
   if (!user.warning.empty()) journal.say(user.warning);
   if (const auto warning = open_link_warning(deployment)) journal.say(*warning);
-  Launcher launcher(deployment, networks, signals, journal);
+  Launcher launcher(deployment, networks, signals, journal, service);
   if (deployment.radio) {
     std::vector<int> descriptors;
     for (const HostNetwork& network : networks) descriptors.push_back(network.descriptor());

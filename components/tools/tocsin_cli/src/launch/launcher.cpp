@@ -29,11 +29,13 @@ Time clock_now() { return std::chrono::steady_clock::now(); }
 }  // namespace
 
 Launcher::Launcher(const deployment::Deployment& deployment,
-                   const std::vector<HostNetwork>& networks, Signals& signals, Journal& journal)
+                   const std::vector<HostNetwork>& networks, Signals& signals, Journal& journal,
+                   ServiceManager& service)
     : deployment_(deployment),
       networks_(networks),
       signals_(signals),
       journal_(journal),
+      service_(service),
       disk_(deployment.run_dir) {}
 
 void Launcher::add(ProcessSpec spec) {
@@ -68,6 +70,7 @@ int Launcher::run() {
     reap_all(clock_now());
     advance(clock_now());
     look_at_disk(clock_now());
+    service_.alive(clock_now());
   }
   write_processes();
   sweep(deployment_.run_dir);
@@ -95,6 +98,8 @@ void Launcher::start_all(Time now) {
   for (Process& process : processes_) {
     if (!process.running()) start(process, now);
   }
+  service_.ready(std::to_string(processes_.size()) + " processes, run folder " +
+                 deployment_.run_dir);
 }
 
 void Launcher::write_processes() {
@@ -133,8 +138,8 @@ void Launcher::wait(Time until) {
 
 Time Launcher::next_deadline(Time now) const {
   if (phase_ == Phase::link) return now + link_poll;
-  if (phase_ == Phase::stopping) return kill_at_;
-  Time next = next_look_;
+  if (phase_ == Phase::stopping) return std::min(kill_at_, service_.next_sign());
+  Time next = std::min(next_look_, service_.next_sign());
   for (const Process& process : processes_) next = std::min(next, process.start_at());
   return next;
 }
@@ -216,6 +221,7 @@ bool Launcher::has_link() const {
 void Launcher::stop(int exit_code, const std::string& why) {
   phase_ = Phase::stopping;
   exit_code_ = exit_code;
+  service_.stopping();
   journal_.say(why);
 }
 

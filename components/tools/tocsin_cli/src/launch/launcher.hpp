@@ -12,6 +12,7 @@
 #include "network.hpp"
 #include "process.hpp"
 #include "served_port.hpp"
+#include "service_manager.hpp"
 #include "signals.hpp"
 
 namespace tocsin::cli {
@@ -22,7 +23,7 @@ class Launcher {
   /// `radio` is the emulator's process, at most one; `networks` one for each host with it, else
   /// none. All references must outlive the launcher.
   Launcher(const deployment::Deployment& deployment, const std::vector<HostNetwork>& networks,
-           Signals& signals, Journal& journal);
+           Signals& signals, Journal& journal, ServiceManager& service);
   /// Tells of each port, on the terminal, and hands its socket to its process.
   void serve(std::vector<ServedPort> ports);
   /// Adds a process; they start in this order, the first alone until the radio link is there.
@@ -54,6 +55,7 @@ class Launcher {
   const std::vector<HostNetwork>& networks_;
   Signals& signals_;
   Journal& journal_;
+  ServiceManager& service_;
   std::list<Process> processes_;
   std::vector<ServedPort> ports_;
   Phase phase_ = Phase::running;

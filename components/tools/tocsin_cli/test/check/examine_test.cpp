@@ -24,7 +24,7 @@ class ExamineTest : public ::testing::Test {
     const std::map<Role, TrafficRules> traffic{
         {Role::uxv, TrafficRules(folder_.write("traffic.yaml", traffic_), Role::uxv)}};
     std::vector<std::string> texts;
-    for (const Finding& finding : examine(graph, {qos, traffic, topics_})) {
+    for (const Finding& finding : examine(graph, {qos, traffic, topics_, has_far_end_})) {
       if (finding.severity == Severity::note && !notes) continue;
       const bool error = finding.severity == Severity::error;
       texts.push_back((error ? "error: " : "warning: ") + finding.text);
@@ -36,6 +36,7 @@ class ExamineTest : public ::testing::Test {
       "sensor: {reliability: best_effort}\nstate: {durability: transient_local, deadline_s: 1}\n";
   std::string traffic_ = "uxv: {high: {while_poor: send, topics: [location]}}\n";
   std::vector<std::string> topics_;  ///< known
+  bool has_far_end_ = false;
   TemporaryFolder folder_;
 };
 
@@ -47,6 +48,16 @@ TEST_F(ExamineTest, SaysNothingOfAPairThatFits) {
 TEST_F(ExamineTest, WarnsOfEveryReaderWithoutAWriterInOneLine) {
   EXPECT_THAT(found({vehicle("navigator", {reads("odom"), reads("goal")})}),
               ElementsAre("warning: uxv/drive/navigator: nobody writes what it reads: odom, goal"));
+}
+
+TEST_F(ExamineTest, WhatCrossesTheLinkMayBeWrittenByAHostOfAnotherFile) {
+  const Graph graph{station("map_server", {reads("location", Scope::link), reads("odom")})};
+  EXPECT_THAT(
+      found(graph),
+      ElementsAre("warning: gcs/desk/map_server: nobody writes what it reads: location, odom"));
+  has_far_end_ = true;
+  EXPECT_THAT(found(graph),
+              ElementsAre("warning: gcs/desk/map_server: nobody writes what it reads: odom"));
 }
 
 TEST_F(ExamineTest, NotesAReaderThatDoesWithoutAWriter) {

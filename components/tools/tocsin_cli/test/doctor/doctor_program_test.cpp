@@ -47,7 +47,7 @@ TEST_F(DoctorProgram, JudgesThisComputerAndSaysHowManyAreBad) {
   EXPECT_EQ(error_, "");
   EXPECT_THAT(output_, AllOf(HasSubstr("net.core.rmem_max"), HasSubstr("net.core.wmem_max"),
                              HasSubstr("/dev/shm: ")));
-  EXPECT_THAT(output_, ContainsRegex("\n4 looked at, [0-9] bad\n$"));
+  EXPECT_THAT(output_, ContainsRegex("\n5 looked at, [0-9] bad\n$"));
   EXPECT_EQ(code,
             output_.find("\nBAD") == std::string::npos && output_.rfind("BAD", 0) != 0 ? 0 : 1)
       << output_;
@@ -64,6 +64,12 @@ TEST_F(DoctorProgram, LooksAtTheEmulatedRadioOfAFile) {
                 "  gcs: {role: gcs, address: 10.77.0.2, programs: [{name: p, command: [x]}]}\n");
   (void)run("radio.yaml");
   EXPECT_THAT(output_, AllOf(HasSubstr("/dev/net/tun"), HasSubstr("etwork"))) << error_;
+}
+
+TEST_F(DoctorProgram, LooksAtTheRealRadioOfAFile) {
+  folder_.write("one.yaml", bringup("192.0.2.1"));
+  EXPECT_EQ(run("one.yaml"), 1);
+  EXPECT_THAT(output_, HasSubstr("BAD  gcs: address 192.0.2.1: no interface has it\n"));
 }
 
 TEST_F(DoctorProgram, AFileThatIsNotThereOrWrongIsOneLineAndCodeTwo) {

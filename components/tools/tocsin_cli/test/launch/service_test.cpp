@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// config/tocsin.service, as systemd itself reads it.
+// bringup/packaging/tocsin@.service, as systemd itself reads it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -32,9 +32,9 @@ Outcome run(const std::string& command) {
 /// The shipped unit with programs that are there.
 std::string unit_text() {
   std::ostringstream text;
-  text << std::ifstream(TOCSIN_REPOSITORY "/config/tocsin.service").rdbuf();
+  text << std::ifstream(TOCSIN_REPOSITORY "/bringup/packaging/tocsin@.service").rdbuf();
   std::string unit = text.str();
-  const std::string program = "/opt/tocsin/tocsin_cli/bin/tocsin";
+  const std::string program = "/usr/bin/tocsin";
   const auto at = unit.find(program);
   if (at != std::string::npos) unit.replace(at, program.size(), "/bin/true");
   return unit;
@@ -54,9 +54,9 @@ class ServiceTest : public ::testing::Test {
 
 TEST_F(ServiceTest, IsAValidUnit) {
   const Outcome outcome =
-      run("systemd-analyze verify " + folder_.write("tocsin.service", unit_text()));
+      run("systemd-analyze verify " + folder_.write("tocsin@vehicle.service", unit_text()));
   EXPECT_EQ(outcome.code, 0) << outcome.text;
-  EXPECT_THAT(outcome.text, ::testing::Not(::testing::HasSubstr("tocsin.service:")));
+  EXPECT_THAT(outcome.text, ::testing::Not(::testing::HasSubstr("tocsin@vehicle.service:")));
 }
 
 // In tenths of systemd's scale, on which an ordinary service has 92 to 96.
@@ -65,7 +65,7 @@ TEST_F(ServiceTest, LeavesAlmostNothingToWhoTakesItOver) {
   if (run("systemd-analyze --help").text.find("--offline") == std::string::npos) {
     GTEST_SKIP() << "this systemd rates no files";
   }
-  const Outcome outcome = run(security + folder_.write("tocsin.service", unit_text()));
+  const Outcome outcome = run(security + folder_.write("tocsin@vehicle.service", unit_text()));
   EXPECT_EQ(outcome.code, 0) << outcome.text;
 }
 
