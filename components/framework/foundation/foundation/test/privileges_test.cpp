@@ -5,10 +5,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <linux/capability.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
 #include <sched.h>
+#include <sys/prctl.h>
 #include <sys/socket.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
+#include <array>
+#include <cerrno>
+#include <cstddef>
 #include <fstream>
 #include <functional>
 #include <sstream>
@@ -45,12 +52,32 @@ bool has(const std::string& line) { return status().find(line) != std::string::n
 /// Whether this thread may make a network namespace.
 bool may_make_network() { return ::unshare(CLONE_NEWNET) == 0; }
 
+/// Has the kernel refuse capset(2) from now on, as the sandbox of a service does.
+bool forbid_capset() {
+  std::array<sock_filter, 4> program{
+      {BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
+       BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_capset, 0, 1),
+       BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | EPERM),
+       BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW)}};
+  const sock_fprog filter{program.size(), program.data()};
+  return ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter) == 0;
+}
+
 class Privileges : public ::testing::Test {
  protected:
   void SetUp() override {
     if (::geteuid() != 0) GTEST_SKIP() << "only root can become another user";
   }
 };
+
+TEST_F(Privileges, WhoPassesNoneOnNeedsNoRightToDoSo) {
+  EXPECT_EQ(as_user({},
+                    [] {
+                      return forbid_capset() && pass_on_capabilities({}) &&
+                             !pass_on_capabilities({CAP_NET_ADMIN});
+                    }),
+            0);
+}
 
 TEST_F(Privileges, AnOrdinaryUserHasNoneAndGetsNone) {
   EXPECT_EQ(as_user({},
