@@ -2,8 +2,9 @@
 // Puts the TypeScript that idl/ was printed to at build time where the page's sources find it: generated/.
 import fs from "node:fs";
 import path from "node:path";
+import { fileURLToPath } from "node:url";
 
-const here = import.meta.dirname;
+const here = path.dirname(fileURLToPath(import.meta.url));
 const packages = ["ros_idl", "tocsin_idl"];
 
 /** Where a build of this repository has put it: an install folder is one for all packages, or has one for each. */
