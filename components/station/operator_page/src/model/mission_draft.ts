@@ -25,7 +25,7 @@ export function add(draft: MissionDraft, place: Point, from?: Point): MissionDra
   const index = draft.selected === undefined ? draft.places.length : draft.selected + 1;
   const before = draft.places[index - 1] ?? from;
   const yaw = before ? Math.atan2(place.y - before.y, place.x - before.x) : 0;
-  return { places: draft.places.toSpliced(index, 0, { x: place.x, y: place.y, yaw }), selected: index };
+  return { places: spliced(draft.places, index, 0, { x: place.x, y: place.y, yaw }), selected: index };
 }
 
 /** Changes of the selected place. */
@@ -33,7 +33,7 @@ function changed(draft: MissionDraft, change: (place: Waypoint) => Waypoint): Mi
   const { places, selected } = draft;
   const place = selected === undefined ? undefined : places[selected];
   if (selected === undefined || place === undefined) return draft;
-  return { places: places.with(selected, change(place)), selected };
+  return { places: spliced(places, selected, 1, change(place)), selected };
 }
 
 export const moveTo = (draft: MissionDraft, { x, y }: Point): MissionDraft => changed(draft, ({ yaw }) => ({ x, y, yaw }));
@@ -49,7 +49,7 @@ export const turnBy = (draft: MissionDraft, angle: number): MissionDraft =>
 /** Without the selected place; the one that follows is selected, else the last. */
 export function remove(draft: MissionDraft): MissionDraft {
   if (draft.selected === undefined) return draft;
-  const places = draft.places.toSpliced(draft.selected, 1);
+  const places = spliced(draft.places, draft.selected, 1);
   return { places, selected: places.length === 0 ? undefined : Math.min(draft.selected, places.length - 1) };
 }
 
@@ -59,7 +59,7 @@ export function reorder(draft: MissionDraft, by: number): MissionDraft {
   const place = selected === undefined ? undefined : places[selected];
   if (selected === undefined || place === undefined) return draft;
   const target = Math.min(places.length - 1, Math.max(0, selected + by));
-  return { places: places.toSpliced(selected, 1).toSpliced(target, 0, place), selected: target };
+  return { places: spliced(spliced(places, selected, 1), target, 0, place), selected: target };
 }
 
 /** The place that lies nearest to a point, within `reach`; of equal ones the later, which is drawn on top. */
@@ -71,5 +71,12 @@ export function placeAt({ places }: MissionDraft, point: Point, reach: number): 
   });
   return best?.index;
 }
+
+/** Array.prototype.toSpliced, which Firefox 113 and node 18 lack. */
+const spliced = (places: readonly Waypoint[], index: number, count: number, ...others: Waypoint[]): Waypoint[] => [
+  ...places.slice(0, index),
+  ...others,
+  ...places.slice(index + count),
+];
 
 const wrap = (angle: number): number => Math.atan2(Math.sin(angle), Math.cos(angle));
