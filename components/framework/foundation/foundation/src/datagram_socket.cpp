@@ -76,10 +76,15 @@ std::optional<DatagramSocket::Message> DatagramSocket::receive() {
 }
 
 std::error_code DatagramSocket::send(const std::string& path, const std::string& text) {
-  const auto address = address_of(path);
+  auto address = address_of(path);
   if (!address) return std::make_error_code(std::errc::filename_too_long);
-  const auto sent = ::sendto(socket_.get(), text.data(), text.size(), MSG_NOSIGNAL,
-                             generic(*address), sizeof *address);
+  socklen_t size = sizeof *address;
+  if (path.rfind('@', 0) == 0) {  // the name is as long as it is, without a 0 at its end
+    address->sun_path[0] = '\0';
+    size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + path.size());
+  }
+  const auto sent =
+      ::sendto(socket_.get(), text.data(), text.size(), MSG_NOSIGNAL, generic(*address), size);
   return sent < 0 ? std::error_code(errno, std::system_category()) : std::error_code();
 }
 

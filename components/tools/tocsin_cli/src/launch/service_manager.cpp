@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "service_manager.hpp"
 
-#include <sys/socket.h>
-#include <sys/un.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cstddef>
 #include <cstdlib>
 
 namespace tocsin::cli {
@@ -25,8 +21,8 @@ std::string taken(const char* variable) {
 ServiceManager::ServiceManager() : address_(taken("NOTIFY_SOCKET")) {
   const std::string period = taken("WATCHDOG_USEC");
   const std::string asked = taken("WATCHDOG_PID");
-  if (address_.empty() || address_.size() >= sizeof(sockaddr_un::sun_path)) return;
-  socket_ = FileDescriptor(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  if (address_.empty()) return;
+  socket_.emplace();
   const long long period_us = std::strtoll(period.c_str(), nullptr, 10);
   const bool is_for_this = asked.empty() || asked == std::to_string(::getpid());
   if (period_us <= 0 || !is_for_this) return;
@@ -44,16 +40,9 @@ void ServiceManager::alive(Time now) {
   send("WATCHDOG=1");
 }
 
-void ServiceManager::send(const std::string& state) const {
-  if (!socket_) return;
-  sockaddr_un to{};
-  to.sun_family = AF_UNIX;
-  std::copy(address_.begin(), address_.end(), to.sun_path);
-  if (to.sun_path[0] == '@') to.sun_path[0] = '\0';  // an abstract one
-  const auto length = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + address_.size());
+void ServiceManager::send(const std::string& state) {
   // Whoever reads no more decides by its own watchdog.
-  (void)::sendto(socket_.get(), state.data(), state.size(), MSG_NOSIGNAL,
-                 reinterpret_cast<const sockaddr*>(&to), length);
+  if (socket_) (void)socket_->send(address_, state);
 }
 
 }  // namespace tocsin::cli

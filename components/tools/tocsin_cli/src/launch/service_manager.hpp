@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 
-#include "foundation/file_descriptor.hpp"
+#include "foundation/datagram_socket.hpp"
 #include "foundation/time.hpp"
 
 namespace tocsin::cli {
@@ -26,10 +27,10 @@ class ServiceManager {
   [[nodiscard]] Time next_sign() const { return next_sign_; }
 
  private:
-  void send(const std::string& state) const;
+  void send(const std::string& state);
   std::string address_;
-  FileDescriptor socket_;
-  Duration sign_period_{};  ///< 0: there is no watchdog
+  std::optional<DatagramSocket> socket_;  ///< none: nobody is told
+  Duration sign_period_{};                ///< 0: there is no watchdog
   Time next_sign_ = never;
 };
 

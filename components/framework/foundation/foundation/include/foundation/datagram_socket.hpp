@@ -32,7 +32,8 @@ class DatagramSocket {
   [[nodiscard]] int descriptor() const { return socket_.get(); }
   /// The next message that waits; empty when none does. A longer one is cut at 2048 bytes.
   [[nodiscard]] std::optional<Message> receive();
-  /// What hindered it, such as that nobody listens at `path`.
+  /// What hindered it, such as that nobody listens at `path`; `@name` is a socket without a file
+  /// (unix(7), abstract).
   std::error_code send(const std::string& path, const std::string& text);
 
  private:
