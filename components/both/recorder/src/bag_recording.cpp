@@ -43,14 +43,21 @@ std::vector<bag::OfferedQos> offered_by_profile(const TopicInfo& topic) {
 
 }  // namespace
 
-BagRecording::BagRecording(const std::string& directory, mcap::Compression compression)
-    : directory_(directory), options_{compression, 0, 0} {
+BagRecording::BagRecording(const std::string& directory, mcap::Compression compression,
+                           double keep_free)
+    : directory_(directory), keep_free_(keep_free), options_{compression, 0, 0} {
   try {
     begin();
   } catch (const ConfigError&) {
     // A recorder that dies on a full disk must not take the run with it when it comes back.
     if (free_bytes(directory).value_or(full_below_bytes) >= full_below_bytes) throw;
   }
+  holds_back_ = !has_room();
+}
+
+bool BagRecording::has_room() const {
+  return free_bytes(directory_).value_or(0) >= full_below_bytes &&
+         free_share(directory_).value_or(0) >= keep_free_;
 }
 
 void BagRecording::begin() {
@@ -68,8 +75,8 @@ std::size_t BagRecording::add(const ChosenTopic& topic) {
 }
 
 void BagRecording::write(std::size_t topic, const Sample& sample) {
-  if (!writer_) {
-    ++before_it_;
+  if (!writer_ || holds_back_) {
+    ++left_out_;
     return;
   }
   const TypeInfo& type = *types_.at(topic);
@@ -80,8 +87,9 @@ void BagRecording::write(std::size_t topic, const Sample& sample) {
 }
 
 void BagRecording::flush() {
+  holds_back_ = !has_room();
   if (!writer_) {
-    if (free_bytes(directory_).value_or(0) < full_below_bytes) return;
+    if (holds_back_) return;
     try {
       begin();
     } catch (const ConfigError&) {
@@ -91,6 +99,6 @@ void BagRecording::flush() {
   (void)writer_->flush();
 }
 
-std::uint64_t BagRecording::lost() const { return before_it_ + (writer_ ? writer_->lost() : 0); }
+std::uint64_t BagRecording::lost() const { return left_out_ + (writer_ ? writer_->lost() : 0); }
 
 }  // namespace tocsin

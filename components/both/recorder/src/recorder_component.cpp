@@ -51,7 +51,7 @@ RecorderComponent::RecorderComponent(Context& context, const Params& params)
 void RecorderComponent::begin(Time now) {
   began_ = now;
   began_wall_ns_ = bus().wall_ns(now);
-  recording_.emplace(directory_, params_.bag_compression);
+  recording_.emplace(directory_, params_.bag_compression, params_.keep_free);
   for (const ChosenTopic& topic : topics_) {
     auto input = listen_to(topic);
     if (!input) continue;
@@ -126,7 +126,9 @@ void RecorderComponent::flush(Time now) {
   const bool was_full = std::exchange(disk_full_, lost_ > lost_before);
   if (disk_full_ != was_full) {
     if (disk_full_) {
-      log().error("messages are being lost: {} cannot be written", directory_);
+      log().error(
+          "messages are being lost: {} cannot be written, or less than {} of its disk is free",
+          directory_, params_.keep_free);
     } else {
       log().info("{} can be written again; {} messages were lost since the start", directory_,
                  lost_);

@@ -7,6 +7,7 @@
 
 #include "bag/bag_reader.hpp"
 #include "foundation/error.hpp"
+#include "foundation/free_space.hpp"
 #include "foundation/small_disk.hpp"
 #include "foundation/temporary_folder.hpp"
 #include "ros_idl/std_msgs.hpp"
@@ -97,6 +98,23 @@ TEST_F(BagRecordingTest, CountsWhatAFullDiskTakes) {
   sut.flush();
   EXPECT_EQ(sut.lost(), 1U);
   EXPECT_EQ(bag::BagReader(folder_.path("bag")).about().count, 1U);
+}
+
+TEST_F(BagRecordingTest, LeavesAShareOfTheDiskToOthers) {
+  const auto written_and_lost = [&](double keep_free) {
+    BagRecording sut(folder_.path(), mcap::Compression::none, keep_free);
+    const std::size_t number = sut.add(topic("a"));
+    sut.write(number, sample("one"));
+    sut.flush();
+    sut.write(number, sample("another"));
+    sut.flush();
+    return sut.lost();
+  };
+  const double free = free_share(folder_.path()).value();
+  EXPECT_EQ(written_and_lost(0.5 * free), 0U);
+  EXPECT_EQ(bag::BagReader(folder_.path("bag")).about().count, 2U);
+  EXPECT_EQ(written_and_lost(1), 2U);  // no disk is wholly free
+  EXPECT_EQ(bag::BagReader(folder_.path("bag_2")).about().count, 0U);
 }
 
 TEST_F(BagRecordingTest, PacksChunks) {

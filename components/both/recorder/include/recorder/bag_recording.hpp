@@ -15,12 +15,12 @@ namespace tocsin {
 
 /// A bag with the messages as they are on the wire: `bag` in the folder, or `bag_2`, ... for a
 /// recorder that was started again, since a bag belongs to one process. On a full disk it begins
-/// when there is room. One thread. After its constructor nothing throws; what a full disk takes is
-/// counted.
+/// when there is room. It writes nothing while less than `keep_free` [1] of the disk is free. One
+/// thread. After its constructor nothing throws; what a full disk takes is counted.
 class BagRecording {
  public:
   /// Throws ConfigError naming the folder when it cannot be made.
-  BagRecording(const std::string& directory, mcap::Compression compression);
+  BagRecording(const std::string& directory, mcap::Compression compression, double keep_free = 0);
 
   /// The number by which `write` knows the topic, which must outlive the recording.
   [[nodiscard]] std::size_t add(const ChosenTopic& topic);
@@ -34,13 +34,16 @@ class BagRecording {
  private:
   /// Throws ConfigError.
   void begin();
+  [[nodiscard]] bool has_room() const;
 
   const std::string directory_;
+  const double keep_free_;
   const bag::BagOptions options_;
   std::vector<bag::Topic> topics_;
   std::vector<const TypeInfo*> types_;      ///< by topic
   std::unique_ptr<bag::BagWriter> writer_;  ///< null: there was no room for it yet
-  std::uint64_t before_it_ = 0;             ///< messages that came until then
+  bool holds_back_ = false;                 ///< there was no room at the last flush
+  std::uint64_t left_out_ = 0;              ///< messages that came while either was so
   std::vector<std::uint8_t> bytes_;         ///< of the message that is written
 };
 

@@ -28,6 +28,7 @@ class RecorderComponent final : public Component {
     bool backfilled = false;
     std::vector<std::string> topics;
     mcap::Compression bag_compression = mcap::Compression::zstd;
+    double keep_free = 0.05;
     template <class Visitor>
     void visit(Visitor& v) {
       live(v)("recording", recording,
@@ -40,6 +41,7 @@ class RecorderComponent final : public Component {
       v("topics", topics, "others: names, patterns, or NAME TYPE [QOS [host|link]]");
       visit_enum(v, "bag_compression", bag_compression, Choices{"none", "lz4", "zstd"},
                  "of the bag's chunks");
+      v("keep_free", keep_free, {0, 0.9}, "[1] of the disk that recording leaves to others");
     }
   };
 

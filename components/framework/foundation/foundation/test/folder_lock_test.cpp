@@ -86,6 +86,9 @@ TEST(FreeBytes, AreThoseOfTheFoldersDisk) {
   EXPECT_GT(free_bytes(folder.path()).value_or(0), 0U);
   EXPECT_FALSE(free_bytes(folder.path("absent")));
   EXPECT_FALSE(free_bytes("/proc"));  // has no blocks to count
+  EXPECT_GT(free_share(folder.path()).value_or(0), 0);
+  EXPECT_LE(free_share(folder.path()).value_or(2), 1);
+  EXPECT_FALSE(free_share("/proc"));
 }
 
 }  // namespace

@@ -15,13 +15,13 @@
 #include "command_line/programs.hpp"
 #include "deployment/deployment.hpp"
 #include "deployment/resolved_copy.hpp"
-#include "deployment/run_folder.hpp"
 #include "domains_line.hpp"
 #include "foundation/error.hpp"
 #include "foundation/privileges.hpp"
 #include "launcher.hpp"
 #include "open_link.hpp"
 #include "run_folder.hpp"
+#include "run_place.hpp"
 #include "served_port.hpp"
 #include "service_manager.hpp"
 
@@ -98,10 +98,10 @@ UserChoice become_ordinary(const BringupOptions& options, const std::string& wan
 }
 
 /// The folder of the run belongs to its user, wherever it lies.
-deployment::RunFolder make_run_folder(const std::string& wanted, const UserChoice& user) {
+ChosenRunFolder make_run_folder(const std::string& wanted, const UserChoice& user) {
   const AwakeCapabilities awake;
   if (user.account) give_empty_folder(wanted);
-  return deployment::RunFolder(wanted);
+  return choose_run_folder(wanted, run_place());
 }
 
 /// Gives each host a network of its own, when the radio is emulated.
@@ -127,8 +127,8 @@ int launch(LaunchOptions& given) {
   // Checked before the folder of the run is made: a wrong file leaves nothing behind.
   const Folders folders = program_folders();
   if (!may_start(options, folders)) return 2;
-  const deployment::RunFolder run = make_run_folder(overrides.run_dir, user);
-  overrides.run_dir = run.path().string();
+  const ChosenRunFolder run = make_run_folder(overrides.run_dir, user);
+  overrides.run_dir = run.folder.path().string();
   const deployment::Deployment deployment = deployment::load_deployment(file, overrides);
   if (user.account) keep_only(deployment.radio ? radio_capabilities : Capabilities{});
   const std::string resolved = overrides.run_dir + "/deployment.yaml";
@@ -142,7 +142,9 @@ int launch(LaunchOptions& given) {
   Journal journal(overrides.run_dir + "/log", !owns_terminal(deployment),
                   ::isatty(STDOUT_FILENO) == 1);
   journal.say(domains_line(deployment));
-  if (!user.warning.empty()) journal.say(user.warning);
+  for (const std::string& warning : {user.warning, run.warning}) {
+    if (!warning.empty()) journal.say(warning);
+  }
   if (const auto warning = open_link_warning(deployment)) journal.say(*warning);
   Launcher launcher(deployment, networks, signals, journal, service);
   if (deployment.radio) {

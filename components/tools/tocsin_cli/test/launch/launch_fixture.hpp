@@ -45,11 +45,14 @@ class LaunchTest : public ::testing::Test {
   }
   void launch_file(const std::string& yaml, const std::vector<std::string>& before = {},
                    const std::vector<std::string>& after = {}) {
+    std::vector<std::string> more{"--run-dir", folder_.path("run")};
+    more.insert(more.end(), after.begin(), after.end());
+    launch_without_folder(yaml, before, more);
+  }
+  void launch_without_folder(const std::string& yaml, const std::vector<std::string>& before,
+                             const std::vector<std::string>& after = {}) {
     std::vector<std::string> words = before;
-    for (const std::string& word : {std::string(LAUNCH_PROGRAM), folder_.write("d.yaml", yaml),
-                                    std::string("--run-dir"), folder_.path("run")}) {
-      words.push_back(word);
-    }
+    words.insert(words.end(), {LAUNCH_PROGRAM, folder_.write("d.yaml", yaml)});
     words.insert(words.end(), after.begin(), after.end());
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());

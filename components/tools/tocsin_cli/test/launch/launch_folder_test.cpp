@@ -107,6 +107,24 @@ TEST_F(LaunchFolderTest, SaysThatTheDiskIsFullAndKeepsItsListOfProcesses) {
   EXPECT_THAT(lines, HasSubstr("has room again"));  // what was full before is written again
 }
 
+// As a service at power on: its folder on a full disk, and systemd's folder in memory.
+TEST_F(LaunchFolderTest, StartsOnAFullDiskWithAFolderInMemory) {
+  fs::create_directories(folder_.path("state"));
+  fs::create_directories(folder_.path("memory"));
+  const std::string state = folder_.path("state");
+  const std::string command =
+      "mount -t tmpfs -o size=64k none " + state + " && cd " + state +
+      " && { cat /dev/zero >full; RUNTIME_DIRECTORY=" + folder_.path("memory") + " exec \"$@\"; }";
+  launch_without_folder(
+      "hosts: {a: {role: uxv, address: 127.0.0.1, programs: [" + std::string(sleeper) + "]}}\n",
+      {"unshare", ::getuid() == 0 ? "-m" : "-rm", "sh", "-c", command, "sh"});
+  ASSERT_TRUE(eventually([&] { return printed("up"); })) << output();
+  EXPECT_THAT(output(), HasSubstr("NO DISK: "));
+  EXPECT_FALSE(fs::is_empty(folder_.path("memory")));
+  send(SIGINT);
+  EXPECT_EQ(exit_code(), 128 + SIGINT) << output();
+}
+
 TEST_F(LaunchFolderTest, GivesContainersTheirFileInMemory) {
   folder_.write_program("bin/tocsin-container", "rm -r " + folder_.path("run") + "; head -1 $4");
   folder_.write("f.yaml", "{}");
