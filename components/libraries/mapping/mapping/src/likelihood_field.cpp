@@ -98,14 +98,45 @@ void LikelihoodField::stamp(const Points& points) {
   for (const Point& p : points) stamp(p);
 }
 
-LikelihoodField::Sample LikelihoodField::at(double x_m, double y_m) const {
+std::optional<LikelihoodField::Between> LikelihoodField::between(double x_m, double y_m,
+                                                                 int border) const {
   const double x = (x_m - grid_.origin.x_m) / grid_.resolution_m - 0.5;
   const double y = (y_m - grid_.origin.y_m) / grid_.resolution_m - 0.5;
-  if (!(x >= 0 && y >= 0 && x < grid_.width - 1 && y < grid_.height - 1)) return {};
+  const bool is_inside =
+      x >= border && y >= border && x < grid_.width - 1 - border && y < grid_.height - 1 - border;
+  if (!is_inside) return std::nullopt;  // nor is what is no number
   const int column = static_cast<int>(x);
   const int row = static_cast<int>(y);
-  const double u = x - column;
-  const double v = y - row;
+  return Between{column, row, x - column, y - row};
+}
+
+LikelihoodField::Curvature LikelihoodField::curvature_at(double x_m, double y_m) const {
+  const int step = std::max(1, static_cast<int>(std::lround(sigma_m_ / grid_.resolution_m)));
+  const auto place = between(x_m, y_m, step);
+  if (!place) return {};
+  const int up = step * grid_.width;
+  const std::uint8_t* const corner = &cells_[index(grid_.width, place->column, place->row)];
+  // The differences of the interpolated values are interpolated differences of the cells.
+  const auto mix = [&](const auto& difference) {
+    const double below = difference(corner);
+    const double above = difference(corner + grid_.width);
+    const double low = below + place->u * (difference(corner + 1) - below);
+    const double high = above + place->u * (difference(corner + grid_.width + 1) - above);
+    return low + place->v * (high - low);
+  };
+  const double h = step * grid_.resolution_m;
+  const double scale = 1 / (255 * h * h);
+  return {scale * mix([&](const auto* c) { return c[step] - 2 * c[0] + c[-step]; }),
+          scale / 4 * mix([&](const auto* c) {
+            return c[up + step] - c[up - step] - c[step - up] + c[-step - up];
+          }),
+          scale * mix([&](const auto* c) { return c[up] - 2 * c[0] + c[-up]; })};
+}
+
+LikelihoodField::Sample LikelihoodField::at(double x_m, double y_m) const {
+  const auto place = between(x_m, y_m, 0);
+  if (!place) return {};
+  const auto [column, row, u, v] = *place;
   const std::uint8_t* const below = &cells_[index(grid_.width, column, row)];
   const std::uint8_t* const above = below + grid_.width;
   const double left = below[0] + v * (above[0] - below[0]);

@@ -27,12 +27,10 @@ constexpr double floor_rad = 0.003;
 /// without what is not positive. At a wall that is M n n' / sigma^2 with its normal n: the Hessian
 /// of Gauss-Newton for the distance to the wall with the robust weight M (Welsch).
 Matrix2d curvature(const LikelihoodField& field, double x_m, double y_m) {
-  const double h = field.sigma_m();
-  const double here = field.at(x_m, y_m).value;
-  const auto value = [&](double dx, double dy) { return field.at(x_m + dx, y_m + dy).value; };
-  const double xx = (2 * here - value(h, 0) - value(-h, 0)) / (h * h);
-  const double yy = (2 * here - value(0, h) - value(0, -h)) / (h * h);
-  const double xy = -(value(h, h) - value(h, -h) - value(-h, h) + value(-h, -h)) / (4 * h * h);
+  const auto field_s = field.curvature_at(x_m, y_m);
+  const double xx = -field_s.xx;
+  const double yy = -field_s.yy;
+  const double xy = -field_s.xy;
   // Eigenvalues of the symmetric matrix; the negative ones are taken out.
   const double mean = (xx + yy) / 2;
   const double spread = std::hypot((xx - yy) / 2, xy);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "laser_geometry/scan.hpp"
@@ -35,9 +36,28 @@ class LikelihoodField {
   /// Bilinear between the centres of cells; 0 outside.
   [[nodiscard]] Sample at(double x_m, double y_m) const;
 
+  /// Second derivatives [1/m^2] by central differences over `sigma_m`, in whole cells.
+  struct Curvature {
+    double xx = 0;
+    double xy = 0;
+    double yy = 0;
+  };
+  /// Of what `at` gives; 0 where a difference would reach outside.
+  [[nodiscard]] Curvature curvature_at(double x_m, double y_m) const;
+
  private:
   void cover(const Points& points);
   void stamp(const geometry::Point& p);
+  /// A place as at() sees it: the cell whose centre is left of and below it, and how far it is from
+  /// there [cell, range 0,1].
+  struct Between {
+    int column;
+    int row;
+    double u;
+    double v;
+  };
+  /// Empty when fewer than `border` cells of the field lie around it.
+  [[nodiscard]] std::optional<Between> between(double x_m, double y_m, int border) const;
 
   double sigma_m_;
   navigation::Grid grid_;
