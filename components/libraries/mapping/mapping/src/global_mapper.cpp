@@ -144,8 +144,7 @@ std::vector<std::size_t> GlobalMapper::near_submaps(std::size_t node,
 }
 
 void GlobalMapper::add_near(const Submap& submap, std::size_t node, const Points& points,
-                            const Pose& start) {
-  const Match match = refine(submap.field(), points, start, start);
+                            const Match& match) {
   if (match.score < params_.near_min_score) return;
   const Agreement agreement = submap.agreement(points, match.pose);
   if (agreement.seen < params_.loop.min_seen || agreement.opposed > params_.loop.max_opposed) {
@@ -162,11 +161,15 @@ void GlobalMapper::match_near(std::size_t node, const std::vector<double>& ways)
   for (const std::size_t index : near_submaps(node, ways, params_.most_near)) {
     const Submap& submap = awake(index);
     const double way_m = ways[submap.first_node()];
-    const SearchWindow window{params_.near_window_m + params_.drift_share * way_m, 0.1};
-    const auto found =
-        search(submap.bounds(), points, relative(poses()[submap.first_node()], poses()[node]),
-               window, search_params);
-    if (found) add_near(submap, node, points, found->pose);
+    const Pose guess = relative(poses()[submap.first_node()], poses()[node]);
+    Match match = refine(submap.field(), points, guess, guess);
+    if (!is_sure(match, guess, submap.field(), params_.local.sure_score)) {
+      const SearchWindow window{params_.near_window_m + params_.drift_share * way_m, 0.1};
+      const auto found = search(submap.bounds(), points, guess, window, search_params);
+      if (!found) continue;
+      match = refine(submap.field(), points, found->pose, found->pose);
+    }
+    add_near(submap, node, points, match);
   }
 }
 
@@ -235,7 +238,8 @@ void GlobalMapper::match_all_again() {
     const Points points = thin(node);
     for (const std::size_t index : near[node]) {
       const Submap& submap = awake(index);
-      add_near(submap, node, points, relative(poses()[submap.first_node()], poses()[node]));
+      const Pose guess = relative(poses()[submap.first_node()], poses()[node]);
+      add_near(submap, node, points, refine(submap.field(), points, guess, guess));
     }
   }
   SolveParams solve;

@@ -45,13 +45,17 @@ std::optional<LocalStep> LocalMapper::on_scan(const Pose& odometry, Scan scan) {
 Match LocalMapper::match(const Growing& target, const Points& thin, const Pose& pose,
                          const Pose& step) const {
   const Pose guess = relative(target.first, pose);
+  const GuessTrust trust = OdometryModel::trust(step);
+  const LikelihoodField& field = target.submap.field();
+  const Match near = refine(field, thin, guess, guess, trust);
+  if (is_sure(near, guess, field, params_.sure_score)) return near;
   SearchParams search_params;
   search_params.min_score = params_.min_score - params_.guess_weight * 3;
   search_params.guess_weight = params_.guess_weight;
   const auto found =
       search(target.submap.bounds(), thin, guess, OdometryModel::window(step), search_params);
   if (!found) return {};
-  return refine(target.submap.field(), thin, found->pose, guess, OdometryModel::trust(step));
+  return refine(field, thin, found->pose, guess, trust);
 }
 
 void LocalMapper::place(LocalStep& node) {

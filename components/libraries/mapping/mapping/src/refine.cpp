@@ -150,4 +150,10 @@ Match refine(const LikelihoodField& field, const Points& points, const Pose& sta
   return match;
 }
 
+bool is_sure(const Match& match, const Pose& guess, const LikelihoodField& field,
+             double sure_score) {
+  return match.score >= sure_score &&
+         geometry::distance(position(match.pose), position(guess)) <= field.sigma_m();
+}
+
 }  // namespace tocsin::mapping

@@ -45,6 +45,32 @@ TEST(LikelihoodField, ItsSlopesAreThoseOfItsValues) {
   }
 }
 
+TEST(LikelihoodField, ItsCurvatureIsThatOfItsValuesOverSigma) {
+  const auto sut = field_of({{1, 1}, {1.2, 1.1}});
+  constexpr double h = 0.1;
+  for (const auto& [x, y] : {std::pair{1.051, 1.032}, {0.93, 1.11}, {1.26, 0.97}}) {
+    const auto value = [&, x = x, y = y](double dx, double dy) {
+      return sut.at(x + dx * h, y + dy * h).value;
+    };
+    const auto curvature = sut.curvature_at(x, y);
+    const double here = value(0, 0);
+    EXPECT_NEAR(curvature.xx, (value(1, 0) - 2 * here + value(-1, 0)) / (h * h), 1e-9);
+    EXPECT_NEAR(curvature.yy, (value(0, 1) - 2 * here + value(0, -1)) / (h * h), 1e-9);
+    EXPECT_NEAR(curvature.xy,
+                (value(1, 1) - value(1, -1) - value(-1, 1) + value(-1, -1)) / (4 * h * h), 1e-9);
+  }
+}
+
+TEST(LikelihoodField, HasNoCurvatureFarAwayOutsideAndForNan) {
+  const auto sut = field_of({{1, 1}});
+  for (const double x : {2.0, 1e9, -1e9, nan}) {
+    const auto curvature = sut.curvature_at(x, 1);
+    EXPECT_EQ(curvature.xx, 0) << x;
+    EXPECT_EQ(curvature.xy, 0) << x;
+    EXPECT_EQ(curvature.yy, 0) << x;
+  }
+}
+
 TEST(FieldBounds, NoCellReachesMoreThanItsBound) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> place(0, 3);

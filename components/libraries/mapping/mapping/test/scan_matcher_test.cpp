@@ -179,5 +179,23 @@ TEST(Refine, OfNoPointsStaysAndKnowsNothing) {
   EXPECT_EQ(match.information.norm(), 0);
 }
 
+TEST(IsSure, WhatFitsNearItsGuessIs) {
+  const auto field = field_of(room(), {3.5, 2.2, 0});
+  const Pose guess{truth.x_m + 0.03, truth.y_m - 0.04, truth.heading_rad + 0.02};
+  const Match match = refine(field, seen_from(room(), truth), guess, guess);
+  EXPECT_LT(off_m(match.pose, truth), 0.02);
+  EXPECT_TRUE(is_sure(match, guess, field, 0.6));
+}
+
+TEST(IsSure, WhatFitsBadlyOrFarFromItsGuessIsNot) {
+  const auto field = field_of(room(), {3.5, 2.2, 0});
+  Match match;
+  match.pose = truth;
+  match.score = 0.7;
+  EXPECT_TRUE(is_sure(match, truth, field, 0.6));
+  EXPECT_FALSE(is_sure(match, truth, field, 0.71));
+  EXPECT_FALSE(is_sure(match, {truth.x_m + 0.11, truth.y_m, 0}, field, 0.6));
+}
+
 }  // namespace
 }  // namespace tocsin::mapping

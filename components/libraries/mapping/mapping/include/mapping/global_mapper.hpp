@@ -93,8 +93,7 @@ class GlobalMapper {
                                                       std::size_t most) const;
   void match_near(std::size_t node, const std::vector<double>& ways);
   /// Adds the constraint of a scan that lies well in the submap at `start`.
-  void add_near(const Submap& submap, std::size_t node, const Points& points,
-                const geometry::Pose& start);
+  void add_near(const Submap& submap, std::size_t node, const Points& points, const Match& match);
   /// One pass of finish.
   void match_all_again();
   void rebuild();

@@ -20,6 +20,7 @@ struct LocalParams {
   double thin_m = 0.1;            ///< readings nearer to each other than this count once
   double min_score = 0.3;         ///< worse is no match: odometry decides
   double guess_weight = 0.05;     ///< of SearchParams
+  double sure_score = 0.6;        ///< what fits so well near its guess is not searched for
 };
 
 /// What became of a scan that was used. Its place among all such scans is its node's index.

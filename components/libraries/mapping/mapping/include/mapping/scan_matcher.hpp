@@ -58,4 +58,9 @@ struct GuessTrust {
                            const geometry::Pose& start, const geometry::Pose& guess,
                            const GuessTrust& trust = {});
 
+/// Whether a match that was refined from `guess` is where a search would end, too: it fits, and is
+/// within sigma of the guess, where there is one summit.
+[[nodiscard]] bool is_sure(const Match& match, const geometry::Pose& guess,
+                           const LikelihoodField& field, double sure_score);
+
 }  // namespace tocsin::mapping
