@@ -135,9 +135,9 @@ int run(const Options& options) {
       laser::Obstacles obstacles;
       obstacles.discs = discs;
       const auto seed = options.seed + static_cast<std::uint64_t>(k);
-      const DriveResult result =
-          drive({laser::Scene({}, obstacles), unknown_floor(discs), start, goal, 100, seed},
-                params_of_navigator());
+      const DriveResult result = drive(
+          {laser::Scene({}, obstacles), People{}, unknown_floor(discs), start, goal, 100, seed},
+          params_of_navigator());
       add(sums, result);
       if (options.lists && result.end != DriveEnd::arrived) {
         fmt::print("{} seed {}: {} after {:.1f} s at ({:.2f}, {:.2f}, {:.2f}) {}\n",

@@ -77,7 +77,7 @@ class Drive {
  private:
   void advance() {
     now_ += step;
-    task_.scene.set_time(to_seconds(now_ - start_time));
+    task_.people.walk(to_seconds(step), position(base_.pose()), body_m, task_.scene);
     base_.surroundings_moved();
     const geometry::Point before = position(base_.pose());
     base_.step(now_, [](Time, ByteView) {});

@@ -7,6 +7,7 @@
 #include "laser_model/scene.hpp"
 #include "navigation/occupancy_map.hpp"
 #include "navigator/navigator.hpp"
+#include "people.hpp"
 
 namespace tocsin::bench {
 
@@ -14,6 +15,7 @@ namespace tocsin::bench {
 /// place.
 struct DriveTask {
   laser::Scene scene;
+  People people;                 ///< who walk in it
   navigation::OccupancyMap map;  ///< what the navigator knows before it starts
   geometry::Pose start;
   geometry::Point goal;

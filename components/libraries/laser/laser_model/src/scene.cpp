@@ -115,8 +115,12 @@ Scene::Scene(std::vector<Wall> walls, const Obstacles& obstacles)
 
 void Scene::set_time(double time_s) {
   for (std::size_t i = 0; i < walkers_.size(); ++i) {
-    discs_[standing_ + i].centre = place_of(walkers_[i], time_s);
+    place_walker(i, place_of(walkers_[i], time_s));
   }
+}
+
+void Scene::place_walker(std::size_t walker, const Point& at) {
+  discs_.at(standing_ + walker).centre = at;
 }
 
 double Scene::range(const Point& from, double bearing_rad, double most_m) const {

@@ -13,6 +13,8 @@ namespace {
 constexpr int passes_to_clear = 2;
 constexpr double same_m = 0.25;  // what is seen so near to where something was touched is that
 constexpr Duration seen_lately = std::chrono::milliseconds(500);
+constexpr Duration settles_after = std::chrono::seconds(10);
+constexpr double walks_beyond_m = 2;
 
 std::size_t bin_of(double bearing_rad, std::size_t bins) {
   const double share = geometry::wrap_angle(bearing_rad) / (2 * pi) + 0.5;
@@ -83,7 +85,7 @@ void ObstacleLayer::mark(const geometry::Point& hit, Time now) {
     return;
   }
   if (map_.collides(hit.x_m, hit.y_m, params_.map_gap_m)) return;
-  marks_[offset].seen = now;
+  marks_[offset] = {now, now};
   is_marked_[offset] = 1;
   ++version_;
 }
@@ -93,7 +95,7 @@ void ObstacleLayer::on_touch(const geometry::Point& at, Time now) {
   if (!cell) return;
   const std::size_t offset = map_.grid().offset(*cell);
   const bool is_seen = sees_near(at, now);
-  Mark& mark = marks_[offset];
+  Mark& mark = marks_.try_emplace(offset, Mark{now, now}).first->second;
   mark.seen = now;
   if (!is_seen) mark.kept_until = now + seconds(params_.remember_touch_s);
   if (is_marked_[offset] == 0) ++version_;
@@ -149,6 +151,17 @@ std::vector<CellIndex> ObstacleLayer::cells() const {
   std::vector<CellIndex> cells;
   cells.reserve(marks_.size());
   for (const auto& [offset, mark] : marks_) cells.push_back(cell_at(offset));
+  return cells;
+}
+
+std::vector<CellIndex> ObstacleLayer::lasting_cells(const geometry::Point& from, Time now) const {
+  std::vector<CellIndex> cells;
+  for (const auto& [offset, mark] : marks_) {
+    const CellIndex cell = cell_at(offset);
+    const bool may_walk = now - mark.since < settles_after && now >= mark.kept_until &&
+                          distance(map_.grid().centre(cell), from) > walks_beyond_m;
+    if (!may_walk) cells.push_back(cell);
+  }
   return cells;
 }
 

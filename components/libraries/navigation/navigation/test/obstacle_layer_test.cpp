@@ -75,6 +75,28 @@ TEST_F(ObstacleLayerTest, WhatIsGoneIsClearedBySightWithTheSecondTurn) {
   EXPECT_NE(sut_.version(), marked);
 }
 
+TEST_F(ObstacleLayerTest, WhatHasComeLatelyFarAwayMayWalk) {
+  look({{2.5, 0}, {0, 1}});
+  const auto is_lasting = [&](const Point& from, const Point& at) {
+    for (const CellIndex& cell : sut_.lasting_cells(from, now_)) {
+      if (distance(floor().grid().centre(cell), at) < 0.15) return true;
+    }
+    return false;
+  };
+  EXPECT_FALSE(is_lasting({0, 0}, {2.4, 0}));
+  EXPECT_TRUE(is_lasting({0, 0}, {0, 0.9})) << "it is near";
+  EXPECT_TRUE(is_lasting({1, 0}, {2.4, 0})) << "it is near from there";
+  for (int i = 0; i < 99; ++i) look({{2.5, 0}, {0, 1}});
+  EXPECT_FALSE(is_lasting({0, 0}, {2.4, 0})) << "for 9.9 s";
+  look({{2.5, 0}, {0, 1}});
+  EXPECT_TRUE(is_lasting({0, 0}, {2.4, 0})) << "it stands there";
+}
+
+TEST_F(ObstacleLayerTest, WhatWasTouchedFarAwayDoesNotWalk) {
+  sut_.on_touch({3, 1}, now_);
+  EXPECT_EQ(sut_.lasting_cells({0, 0}, now_).size(), 1U);
+}
+
 TEST_F(ObstacleLayerTest, WhatIsHiddenStaysForItsTime) {
   look({{2, 0}});
   look({{1, 0}});

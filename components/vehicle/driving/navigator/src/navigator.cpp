@@ -184,9 +184,7 @@ Navigator::Output Navigator::drive(const Target& target, Time now, Duration dt) 
   if (reached_) return {follower_.brake(dt), status(State::reached, 0, "")};
   arrived_ = arrived_ || has_arrived(target);
   if (arrived_) return align(target, dt);
-  if (blocked_since_ && now - *blocked_since_ < seconds(params_.retry_after_s)) {
-    return wait_blocked(now, dt);
-  }
+  if (waits_blocked(now)) return wait_blocked(now, dt);
   return drive_path(target, now, dt);
 }
 
@@ -240,6 +238,12 @@ Navigator::Output Navigator::block(Time now, const char* reason) {
   blocked_since_ = now;
   blocked_reason_ = reason;
   return stand(State::blocked, follower_.halt(), reason);
+}
+
+/// Where there was no way, there may be one as soon as something has moved.
+bool Navigator::waits_blocked(Time now) const {
+  if (!blocked_since_ || now - *blocked_since_ >= seconds(params_.retry_after_s)) return false;
+  return blocked_reason_ != std::string_view("no_path") || !surroundings_.wants_plan(now);
 }
 
 Navigator::Output Navigator::wait_blocked(Time now, Duration dt) {

@@ -58,14 +58,14 @@ std::optional<geometry::Path> Surroundings::plan(const geometry::Point& from,
   planned_ = now;
   has_new_link_ = false;
   choice_.reset();
-  auto path = shortest(from, to);
+  auto path = shortest(from, to, now);
   if (!path || !link_ || params_.link_detour == 0) return path;
   choice_ = chooser_.choose(std::move(*path), *planned_costs_, *link_, link_cells_);
   return choice_->way.path;
 }
 
 std::optional<geometry::Path> Surroundings::shortest(const geometry::Point& from,
-                                                     const geometry::Point& to) {
+                                                     const geometry::Point& to, Time now) {
   const auto cells = obstacles_.cells();
   if (obstacles_.version() != planned_version_) {
     planned_version_ = obstacles_.version();
@@ -73,13 +73,22 @@ std::optional<geometry::Path> Surroundings::shortest(const geometry::Point& from
   }
   auto path = planner_.plan(from, to);
   if (path || (cells.empty() && !is_growing_)) return path;
-  // Obstacles, and walls of a map that is being made, are seen to a cell: a gap that is wide enough
-  // may look closed.
+  path = tight(cells, from, to);
+  if (path || cells.empty()) return path;
+  const auto lasting = obstacles_.lasting_cells(from, now);
+  return lasting.size() < cells.size() ? tight(lasting, from, to) : std::nullopt;
+}
+
+/// Obstacles, and walls of a map that is being made, are seen to a cell: a gap that is wide enough
+/// may look closed.
+std::optional<geometry::Path> Surroundings::tight(
+    const std::vector<navigation::CellIndex>& obstacles, const geometry::Point& from,
+    const geometry::Point& to) const {
   navigation::InflationParams tight = inflation_;
   tight.margin_m = std::min(tight.margin_m, tight_margin_m);
   const navigation::CostMap walls =
       is_growing_ ? navigation::CostMap(map_, tight) : navigation::CostMap(*costs_);
-  return navigation::Planner(std::make_shared<const navigation::CostMap>(walls, cells, tight))
+  return navigation::Planner(std::make_shared<const navigation::CostMap>(walls, obstacles, tight))
       .plan(from, to);
 }
 

@@ -19,6 +19,7 @@ constexpr double disc_m = 0.2;  // radius of an obstacle
 Navigator::Params avoiding() {
   Navigator::Params params;
   params.surroundings.avoid_obstacles = true;
+  params.retry_after_s = 60;
   return params;
 }
 
@@ -99,6 +100,38 @@ TEST_F(NavigatorObstaclesTest, WaitsWhereEverythingIsClosedAndGoesOnWhenItOpens)
   EXPECT_GT(nearest_m_, 0.03);
   discs_.clear();
   EXPECT_EQ(run(25).status.state, State::reached);
+}
+
+TEST_F(NavigatorObstaclesTest, DrivesUpToWhatClosesItsOnlyWayFarAhead) {
+  close_the_way(5);
+  ASSERT_EQ(vehicle_.send(1, {7, 1, 0}), Answer::accepted);
+  EXPECT_EQ(run(20).status.state, State::blocked);
+  EXPECT_GT(vehicle_.pose.x_m, 2.5);
+  EXPECT_GT(nearest_m_, 0.03);
+  discs_.clear();
+  EXPECT_EQ(run(15).status.state, State::reached);
+}
+
+TEST_F(NavigatorObstaclesTest, FollowsWhoWalksAheadOfIt) {
+  double x_m = 3;
+  close_the_way(x_m);
+  ASSERT_EQ(vehicle_.send(1, {7, 1, 0}), Answer::accepted);
+  for (int i = 0; i < 150; ++i) {
+    (void)run(0.1);
+    x_m += 0.04;
+    discs_.clear();
+    close_the_way(x_m);
+  }
+  EXPECT_GT(vehicle_.pose.x_m, 5);
+  EXPECT_GT(nearest_m_, 0.03);
+}
+
+TEST_F(NavigatorObstaclesTest, GoesOnAsSoonAsWhatClosedTheWayHasGone) {
+  close_the_way(3);
+  ASSERT_EQ(vehicle_.send(1, {7, 1, 0}), Answer::accepted);
+  EXPECT_EQ(run(15).status.state, State::blocked);
+  discs_.clear();
+  EXPECT_EQ(run(1.5).status.state, State::driving);  // retry_after_s is 60
 }
 
 TEST_F(NavigatorObstaclesTest, PlansAnewAtMostOnceASecondWhenSomethingStepsIntoItsWay) {

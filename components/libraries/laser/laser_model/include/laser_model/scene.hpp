@@ -52,6 +52,8 @@ class Scene {
 
   /// Moves the walkers.
   void set_time(double time_s);
+  /// Moves one of them, by its place among the obstacles' walkers.
+  void place_walker(std::size_t walker, const geometry::Point& at);
   [[nodiscard]] bool has_walkers() const { return !walkers_.empty(); }
 
   /// Distance to what is first met from `from` along `bearing_rad` [m]; infinity beyond `most_m`.

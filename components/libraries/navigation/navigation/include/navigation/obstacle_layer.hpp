@@ -54,6 +54,9 @@ class ObstacleLayer {
 
   /// By offset in the grid.
   [[nodiscard]] std::vector<CellIndex> cells() const;
+  /// Those that a vehicle at `from` has to reckon with when there is no way else: without what it
+  /// has met farther away than 2 m for less than 10 s, which may walk.
+  [[nodiscard]] std::vector<CellIndex> lasting_cells(const geometry::Point& from, Time now) const;
   /// Differs whenever `cells` does.
   [[nodiscard]] std::uint64_t version() const { return version_; }
   /// Whether the middle of an obstacle's cell lies within `radius_m` of the place.
@@ -65,6 +68,7 @@ class ObstacleLayer {
   static constexpr std::size_t bins = 720;
   using Reach = std::array<double, bins>;  ///< of the beams [m] by bearing; 0: none looks there
   struct Mark {
+    Time since;
     Time seen;
     Time kept_until = Time::min();
     int passed = 0;  ///< turns in a row whose beams have passed through

@@ -164,6 +164,7 @@ class Navigator {
   [[nodiscard]] double allowed_mps() const;
   Output align(const Target& target, Duration dt);
   Output block(Time now, const char* reason);
+  [[nodiscard]] bool waits_blocked(Time now) const;
   Output wait_blocked(Time now, Duration dt);
   [[nodiscard]] bool has_arrived(const Target& target) const;
   void take_up(const Target& target);

@@ -65,8 +65,9 @@ class Surroundings {
   /// False where obstacles are avoided and no scan has come for `scan_timeout_s`.
   [[nodiscard]] bool sees(Time now) const;
 
-  /// The way round all that is known, where there is none with the margin, closer to obstacles.
-  /// Empty: there is none.
+  /// The way round all that is known, where there is none with the margin, closer to obstacles;
+  /// where there is none either, through what has come lately and may walk (ObstacleLayer's
+  /// lasting_cells). Empty: there is none.
   [[nodiscard]] std::optional<geometry::Path> plan(const geometry::Point& from,
                                                    const geometry::Point& to, Time now);
   /// The next plan leads to another goal.
@@ -86,7 +87,10 @@ class Surroundings {
 
  private:
   [[nodiscard]] std::optional<geometry::Path> shortest(const geometry::Point& from,
-                                                       const geometry::Point& to);
+                                                       const geometry::Point& to, Time now);
+  [[nodiscard]] std::optional<geometry::Path> tight(
+      const std::vector<navigation::CellIndex>& obstacles, const geometry::Point& from,
+      const geometry::Point& to) const;
   void plan_over(std::shared_ptr<const navigation::CostMap> costs);
   Params params_;
   navigation::InflationParams inflation_;
