@@ -29,6 +29,11 @@ void KobukiDriver::on_bytes(ByteView bytes, Time now, const ReadingSink& sink) {
   reassembler_.feed(bytes, [&](ByteView payload) { on_frame(payload, now, sink); });
 }
 
+Duration KobukiDriver::rest_of_frame() const {
+  constexpr double byte_s = 10 / 115200.0;
+  return seconds(static_cast<double>(reassembler_.lacking()) * byte_s);
+}
+
 void KobukiDriver::on_frame(ByteView payload, Time now, const ReadingSink& sink) {
   const Feedback feedback = decode_feedback(payload, decode_counts_);
   if (!feedback.core) return;  // not a frame of a base

@@ -69,8 +69,23 @@ OpenedSerial KobukiDriverComponent::open() {
 void KobukiDriverComponent::adopt(std::unique_ptr<SerialDevice> port) {
   port_ = std::move(port);
   write_failed_ = false;
-  wake_on(port_->descriptor());
+  listen();
   driver_.on_port_open();
+}
+
+void KobukiDriverComponent::listen() {
+  forget(port_->descriptor());
+  wake_on(port_->descriptor());
+  next_read_ = never;
+}
+
+/// A frame of 90 bytes comes in eight portions within 8 ms: one look at its end does.
+void KobukiDriverComponent::await_bytes(bool more_came, Time now) {
+  constexpr Duration margin = std::chrono::microseconds(500);
+  const Duration rest = driver_.rest_of_frame();
+  if (!more_came || rest == Duration{0} || !port_->descriptor()) return listen();
+  forget(port_->descriptor());
+  next_read_ = now + rest + margin;
 }
 
 void KobukiDriverComponent::retry(Time now) {
@@ -83,6 +98,7 @@ void KobukiDriverComponent::retry(Time now) {
 void KobukiDriverComponent::close(const char* why) {
   log().warn("{}: {}", params_.device_port, why);
   forget(port_->descriptor());
+  next_read_ = never;
   port_.reset();
   driver_.on_port_lost();
 }
@@ -98,7 +114,7 @@ void KobukiDriverComponent::tick(Time now) {
   if (!frame_topics_.publish_diagnostics(driver_, now)) log().warn("no diagnostics published");
   remember(now);
   wake_at(std::min({port_ ? driver_.next_deadline() : next_retry_, frame_topics_.next_diagnostics(),
-                    emergency_stop_.deadline()}));
+                    emergency_stop_.deadline(), next_read_}));
 }
 
 void KobukiDriverComponent::take_emergency_stop(Time now) {
@@ -120,17 +136,20 @@ void KobukiDriverComponent::take_commands(Time now) {
 }
 
 void KobukiDriverComponent::read_port(Time now) {
+  bool more_came = false;
   for (int reads = 0; reads < 16; ++reads) {  // bounded: commands must not wait for a flood
     const auto count = port_->read(received_.data(), received_.size());
     if (!count) return close("was lost");
-    if (*count == 0) return;
+    if (*count == 0) break;
+    more_came = true;
     const ByteView bytes{received_.data(), *count};
     if (serial_topics_ && !serial_topics_->received(bytes)) {
       log().warn("received bytes were not published");
     }
     driver_.on_bytes(bytes, now, [&](const Reading& reading) { publish(reading, now); });
-    if (*count < received_.size()) return;  // no more waits; what comes now wakes us again
+    if (*count < received_.size()) break;  // no more waits; what comes now wakes us again
   }
+  await_bytes(more_came, now);
 }
 
 void KobukiDriverComponent::send(ByteView bytes) {

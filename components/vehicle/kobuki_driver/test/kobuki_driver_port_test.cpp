@@ -2,7 +2,10 @@
 /// The component and its port: absent, lost, occupied, without a descriptor, restarted.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <deque>
+#include <vector>
 
 #include "component_rig.hpp"
 #include "foundation/error.hpp"
@@ -23,6 +26,60 @@ TEST_F(KobukiDriverPortTest, ReadsAPortWithoutADescriptorWhenItsBytesCome) {
   devices_.readable();
   bus_.run_for(seconds(0.001));
   EXPECT_FALSE(odom_.take().empty());
+}
+
+/// A port that gives one portion of bytes for each read.
+class PortionPort final : public SerialDevice {
+ public:
+  explicit PortionPort(std::deque<std::vector<std::uint8_t>>& portions) : portions_(portions) {}
+  std::optional<std::size_t> read(std::uint8_t* to, std::size_t) override {
+    if (portions_.empty()) return 0;
+    const auto portion = portions_.front();
+    portions_.pop_front();
+    std::copy(portion.begin(), portion.end(), to);
+    return portion.size();
+  }
+  bool write(const std::uint8_t*, std::size_t) override { return true; }
+  [[nodiscard]] std::optional<int> descriptor() const override { return 1234; }
+
+ private:
+  std::deque<std::vector<std::uint8_t>>& portions_;
+};
+
+TEST_F(KobukiDriverPortTest, WakesForTheFirstBytesOfAFrameAndForItsEnd) {
+  std::vector<std::uint8_t> frame;
+  base_.model.step(bus_.now() + seconds(0.02), [&](Time, ByteView bytes) {
+    if (frame.empty()) frame.assign(bytes.begin(), bytes.end());
+  });
+  ASSERT_GT(frame.size(), 70U);
+  std::deque<std::vector<std::uint8_t>> portions;
+  Computer computer;
+  computer.devices.add<SerialDevice>([&](const std::string&, const Devices::Readable&) {
+    return OpenedSerial(std::make_unique<PortionPort>(portions));
+  });
+  Context context = Context(bus_, "kobuki_driver", Role::uxv).with_computer(computer);
+  KobukiDriverComponent sut(context, params_);
+  const auto tick = [&](Duration after) {
+    bus_.run_for(after);
+    sut.schedule().begin_tick(bus_.now());
+    sut.tick(bus_.now());
+  };
+  const std::vector<int> listens{1234};
+  tick(Duration{0});
+  EXPECT_EQ(sut.schedule().descriptors, listens);
+  portions = {{frame.begin(), frame.begin() + 10}};
+  tick(std::chrono::milliseconds(1));
+  EXPECT_TRUE(sut.schedule().descriptors.empty()) << "the rest does not wake it";
+  const double rest_s = static_cast<double>(frame.size() - 10) * 10 / 115200;
+  EXPECT_NEAR(to_seconds(sut.schedule().due() - bus_.now()), rest_s + 0.0005, 1e-6);
+  portions = {{frame.begin() + 10, frame.end()}};
+  tick(seconds(rest_s + 0.0005));
+  EXPECT_FALSE(odom_.take().empty());
+  EXPECT_EQ(sut.schedule().descriptors, listens);
+  portions = {{frame.begin(), frame.begin() + 10}};
+  tick(std::chrono::milliseconds(12));
+  tick(std::chrono::milliseconds(8));
+  EXPECT_EQ(sut.schedule().descriptors, listens) << "the cable was pulled within a frame";
 }
 
 TEST_F(KobukiDriverPortTest, WaitsForAnAbsentPort) {

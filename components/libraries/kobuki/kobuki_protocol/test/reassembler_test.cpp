@@ -70,6 +70,19 @@ void expect_all(const std::vector<Bytes>& portions) {
   EXPECT_EQ(sut.pending(), 0U);
 }
 
+TEST(ReassemblerDelivery, TellsHowManyBytesAFrameUnderWayLacks) {
+  Reassembler sut;
+  const Bytes frame = sent_frames().front();
+  EXPECT_EQ(sut.lacking(), 0U);
+  for (std::size_t i = 0; i + 1 < frame.size(); ++i) {
+    sut.feed({&frame[i], 1}, [](ByteView) { FAIL(); });
+    const bool knows_length = i >= 2;
+    EXPECT_EQ(sut.lacking(), (knows_length ? frame.size() : min_payload + 4) - (i + 1)) << i;
+  }
+  sut.feed({&frame.back(), 1}, [](ByteView) {});
+  EXPECT_EQ(sut.lacking(), 0U);
+}
+
 TEST(ReassemblerDelivery, UsbLatency1To16Ms) {
   for (const double latency_ms : {1.0, 2.0, 4.0, 8.0, 16.0}) {
     SCOPED_TRACE(latency_ms);

@@ -78,6 +78,9 @@ class KobukiDriver {
   void on_port_lost();
   /// Takes what was read from the port, cut anywhere, and hands over a reading per frame.
   void on_bytes(ByteView bytes, Time now, const ReadingSink& sink);
+  /// How long the cable takes for the rest of the frame under way, at 115200 baud and ten bits a
+  /// byte; 0: none is.
+  [[nodiscard]] Duration rest_of_frame() const;
   void on_velocity(const geometry::Twist& velocity, Time now);
   /// Off keeps the base standing whatever is commanded; on waits for the next velocity.
   void set_motor_power(bool on);

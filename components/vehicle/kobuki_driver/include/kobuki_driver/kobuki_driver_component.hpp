@@ -60,6 +60,11 @@ class KobukiDriverComponent final : public Component {
   void take_emergency_stop(Time now);
   void take_commands(Time now);
   void read_port(Time now);
+  /// Ticks with the next byte.
+  void listen();
+  /// Ticks when the frame under way should be whole; with the next byte, where none is, or where
+  /// nothing more of it came.
+  void await_bytes(bool more_came, Time now);
   void send(ByteView bytes);
   void publish(const kobuki::Reading& reading, Time now);
   /// Tells what of state, versions and gains has changed.
@@ -87,6 +92,7 @@ class KobukiDriverComponent final : public Component {
   bool versions_reported_ = false;
   bool gains_reported_ = false;
   kobuki::BaseState reported_ = kobuki::BaseState::no_port;
+  Time next_read_ = never;  ///< of the rest of a frame; until then no byte wakes it
   Time next_retry_ = Time::min();
   Time next_save_ = Time::min();
   bool saved_ = true;

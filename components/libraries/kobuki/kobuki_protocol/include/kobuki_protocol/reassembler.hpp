@@ -46,6 +46,8 @@ class Reassembler {
   [[nodiscard]] const Counts& counts() const { return counts_; }
   /// Bytes held back because their frame is not complete yet.
   [[nodiscard]] std::size_t pending() const { return size_; }
+  /// Bytes that such a frame lacks, or that tell how long it is; 0: none is under way.
+  [[nodiscard]] std::size_t lacking() const { return size_ == 0 ? 0 : missing(); }
 
  private:
   /// How many bytes can come before there is anything to decide; at least 1.
