@@ -6,6 +6,7 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "foundation/error.hpp"
@@ -61,9 +62,17 @@ void Feeder::run() {
     std::this_thread::sleep_until(next);
     char commands[512];
     while (::read(master_, commands, sizeof commands) > 0) continue;
-    const kobuki::Frame frame = frame_number(i);
+    send(frame_number(i).bytes());
+  }
+}
+
+void Feeder::send(ByteView frame) {
+  constexpr std::size_t portion = 11;  // bytes of a millisecond at 115200 baud
+  for (std::size_t at = 0; at < frame.size; at += portion) {
+    const std::size_t count = std::min(portion, frame.size - at);
+    if (at > 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     sent_ns_ = now_ns();
-    if (::write(master_, frame.bytes().data, frame.bytes().size) < 0) continue;  // nobody reads
+    if (::write(master_, frame.data + at, count) < 0) return;  // nobody reads
   }
 }
 

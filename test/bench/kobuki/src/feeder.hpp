@@ -6,9 +6,12 @@
 #include <string>
 #include <thread>
 
+#include "foundation/bytes.hpp"
+
 namespace tocsin::bench {
 
-/// A base that drives: one whole frame of 81 bytes every 20 ms into a pseudo-terminal.
+/// A base that drives: a frame of `frame_bytes` every 20 ms into a pseudo-terminal, as a cable of
+/// 115200 baud brings it, 11 bytes a millisecond.
 class Feeder {
  public:
   Feeder();
@@ -18,11 +21,13 @@ class Feeder {
 
   /// The other end of the terminal.
   [[nodiscard]] const std::string& path() const { return path_; }
-  /// When the last frame was written.
+  static constexpr std::size_t frame_bytes = 81;
+  /// When the last bytes were written.
   [[nodiscard]] std::int64_t sent_ns() const { return sent_ns_; }
 
  private:
   void run();
+  void send(ByteView frame);
   int master_;
   std::string path_;
   std::atomic<std::int64_t> sent_ns_{0};
