@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "foundation/error.hpp"
+#include "foundation/network_interface.hpp"
 #include "graph/ros_graph.hpp"
 #include "idl_support/decode.hpp"
 #include "idl_support/encode.hpp"

@@ -1,28 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "link/late_interface.hpp"
 
-#include <arpa/inet.h>
-#include <ifaddrs.h>
 #include <linux/netlink.h>
 #include <linux/rtnetlink.h>
-#include <net/if.h>
 #include <poll.h>
 #include <sys/eventfd.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <array>
-#include <memory>
 #include <utility>
+
+#include "foundation/network_interface.hpp"
 
 namespace tocsin {
 namespace {
-
-bool is_running(const ifaddrs& entry, in_addr_t address) {
-  if (entry.ifa_addr == nullptr || entry.ifa_addr->sa_family != AF_INET) return false;
-  const auto* inet = reinterpret_cast<const sockaddr_in*>(entry.ifa_addr);
-  return inet->sin_addr.s_addr == address && (entry.ifa_flags & IFF_RUNNING) != 0;
-}
 
 /// Readable whenever an interface or an address changes.
 int open_changes() {
@@ -43,17 +35,6 @@ void forget_waiting(int socket) {
 }
 
 }  // namespace
-
-bool interface_is_running(const std::string& address) {
-  ifaddrs* list = nullptr;
-  if (getifaddrs(&list) != 0) return false;
-  const std::unique_ptr<ifaddrs, decltype(&freeifaddrs)> owner(list, freeifaddrs);
-  const in_addr_t wanted = inet_addr(address.c_str());
-  for (const ifaddrs* entry = list; entry != nullptr; entry = entry->ifa_next) {
-    if (is_running(*entry, wanted)) return true;
-  }
-  return false;
-}
 
 LateInterface::LateInterface(std::string address, std::function<bool()> on_running)
     : address_(std::move(address)),

@@ -7,10 +7,6 @@
 
 namespace tocsin {
 
-/// Whether the IPv4 `address` is on an interface that is up and has carrier. Fast DDS ignores
-/// others for the life of a participant.
-[[nodiscard]] bool interface_is_running(const std::string& address);
-
 /// Waits on a thread of its own until an address is on a running interface. The kernel tells of
 /// changes (netlink); where it does not, a look once a second.
 class LateInterface {

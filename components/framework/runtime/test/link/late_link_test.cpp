@@ -8,7 +8,7 @@
 #include <cstdlib>
 
 #include "fast_dds/bus_fixture.hpp"
-#include "link/late_interface.hpp"
+#include "foundation/network_interface.hpp"
 #include "ros_idl/std_msgs.hpp"
 #include "runtime/testing/relay.hpp"
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "equipment.hpp"
 
-#include <arpa/inet.h>
 #include <fcntl.h>
-#include <ifaddrs.h>
 #include <net/if.h>
 #include <unistd.h>
 #include <yaml-cpp/yaml.h>
@@ -13,25 +11,12 @@
 #include <system_error>
 
 #include "foundation/file_descriptor.hpp"
+#include "foundation/network_interface.hpp"
 
 namespace tocsin::doctor {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool has_address(const std::string& address) {
-  in_addr wanted{};
-  ifaddrs* list = nullptr;
-  if (::inet_pton(AF_INET, address.c_str(), &wanted) != 1 || ::getifaddrs(&list) != 0) return false;
-  bool found = false;
-  for (const ifaddrs* one = list; one != nullptr && !found; one = one->ifa_next) {
-    if (one->ifa_addr == nullptr || one->ifa_addr->sa_family != AF_INET) continue;
-    const auto* const is = reinterpret_cast<const sockaddr_in*>(one->ifa_addr);
-    found = is->sin_addr.s_addr == wanted.s_addr;
-  }
-  ::freeifaddrs(list);
-  return found;
-}
 
 /// Opened like no one who wants to talk to it: a serial line keeps its settings and its modem
 /// lines.
@@ -63,8 +48,8 @@ class Examiner {
 
   void look_at(const deployment::Host& host) {
     if (!host.address.empty()) {
-      add(equipment_.has_address(host.address), host.name + ": address " + host.address,
-          "no interface has it", "topics of the link wait for it, all else runs");
+      add(equipment_.is_running(host.address), host.name + ": address " + host.address,
+          "no interface with carrier has it", "topics of the link wait for it, all else runs");
     }
     for (const deployment::Container& container : host.containers) {
       for (const auto& component : container.components) look_at(host.name, component);
@@ -110,7 +95,8 @@ class Examiner {
 }  // namespace
 
 Equipment own_equipment() {
-  return {has_address, [](const std::string& name) { return ::if_nametoindex(name.c_str()) != 0; },
+  return {interface_is_running,
+          [](const std::string& name) { return ::if_nametoindex(name.c_str()) != 0; },
           error_of_device, may_write};
 }
 

@@ -13,7 +13,7 @@ namespace tocsin::doctor {
 
 /// What this computer has.
 struct Equipment {
-  std::function<bool(const std::string& address)> has_address;  ///< IPv4, of an interface
+  std::function<bool(const std::string& address)> is_running;   ///< an interface with it
   std::function<bool(const std::string& name)> has_interface;   ///< of the network
   std::function<int(const std::string& path)> error_of_device;  ///< errno of opening it; 0: none
   std::function<bool(const std::filesystem::path& folder)> may_write;

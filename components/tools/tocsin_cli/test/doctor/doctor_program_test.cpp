@@ -69,7 +69,8 @@ TEST_F(DoctorProgram, LooksAtTheEmulatedRadioOfAFile) {
 TEST_F(DoctorProgram, LooksAtTheRealRadioOfAFile) {
   folder_.write("one.yaml", bringup("192.0.2.1"));
   EXPECT_EQ(run("one.yaml"), 1);
-  EXPECT_THAT(output_, HasSubstr("BAD  gcs: address 192.0.2.1: no interface has it\n"));
+  EXPECT_THAT(output_,
+              HasSubstr("BAD  gcs: address 192.0.2.1: no interface with carrier has it\n"));
 }
 
 TEST_F(DoctorProgram, AFileThatIsNotThereOrWrongIsOneLineAndCodeTwo) {

@@ -81,9 +81,9 @@ TEST_F(EquipmentTest, AnEmulatedRadioNeedsNoneOfIt) {
 
 TEST_F(EquipmentTest, OfThisComputerIsLookedAt) {
   const Equipment own = own_equipment();
-  EXPECT_TRUE(own.has_address("127.0.0.1"));
-  EXPECT_FALSE(own.has_address("192.0.2.1"));
-  EXPECT_FALSE(own.has_address("localhost"));
+  EXPECT_TRUE(own.is_running("127.0.0.1"));
+  EXPECT_FALSE(own.is_running("192.0.2.1"));
+  EXPECT_FALSE(own.is_running("localhost"));
   EXPECT_TRUE(own.has_interface("lo"));
   EXPECT_FALSE(own.has_interface("absent0"));
   EXPECT_EQ(own.error_of_device("/dev/null"), 0);
