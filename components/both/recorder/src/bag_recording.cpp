@@ -44,8 +44,8 @@ std::vector<bag::OfferedQos> offered_by_profile(const TopicInfo& topic) {
 }  // namespace
 
 BagRecording::BagRecording(const std::string& directory, mcap::Compression compression,
-                           double keep_free)
-    : directory_(directory), keep_free_(keep_free), options_{compression, 0, 0} {
+                           const KeptFree& kept_free)
+    : directory_(directory), kept_free_(kept_free), options_{compression, 0, 0} {
   try {
     begin();
   } catch (const ConfigError&) {
@@ -56,8 +56,10 @@ BagRecording::BagRecording(const std::string& directory, mcap::Compression compr
 }
 
 bool BagRecording::has_room() const {
-  return free_bytes(directory_).value_or(0) >= full_below_bytes &&
-         free_share(directory_).value_or(0) >= keep_free_;
+  const auto bytes = free_bytes(directory_);
+  if (!bytes) return writer_ != nullptr;  // not every file system tells
+  if (*bytes < full_below_bytes) return false;
+  return *bytes >= kept_free_.most_bytes || free_share(directory_).value_or(0) >= kept_free_.share;
 }
 
 void BagRecording::begin() {

@@ -51,7 +51,7 @@ RecorderComponent::RecorderComponent(Context& context, const Params& params)
 void RecorderComponent::begin(Time now) {
   began_ = now;
   began_wall_ns_ = bus().wall_ns(now);
-  recording_.emplace(directory_, params_.bag_compression, params_.keep_free);
+  recording_.emplace(directory_, params_.bag_compression, KeptFree{params_.keep_free});
   for (const ChosenTopic& topic : topics_) {
     auto input = listen_to(topic);
     if (!input) continue;

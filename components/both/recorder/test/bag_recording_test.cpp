@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <limits>
 
 #include "bag/bag_reader.hpp"
 #include "foundation/error.hpp"
@@ -101,8 +102,8 @@ TEST_F(BagRecordingTest, CountsWhatAFullDiskTakes) {
 }
 
 TEST_F(BagRecordingTest, LeavesAShareOfTheDiskToOthers) {
-  const auto written_and_lost = [&](double keep_free) {
-    BagRecording sut(folder_.path(), mcap::Compression::none, keep_free);
+  const auto written_and_lost = [&](const KeptFree& kept) {
+    BagRecording sut(folder_.path(), mcap::Compression::none, kept);
     const std::size_t number = sut.add(topic("a"));
     sut.write(number, sample("one"));
     sut.flush();
@@ -110,11 +111,13 @@ TEST_F(BagRecordingTest, LeavesAShareOfTheDiskToOthers) {
     sut.flush();
     return sut.lost();
   };
+  const auto all = std::numeric_limits<std::uint64_t>::max();
   const double free = free_share(folder_.path()).value();
-  EXPECT_EQ(written_and_lost(0.5 * free), 0U);
+  EXPECT_EQ(written_and_lost({0.5 * free, all}), 0U);
   EXPECT_EQ(bag::BagReader(folder_.path("bag")).about().count, 2U);
-  EXPECT_EQ(written_and_lost(1), 2U);  // no disk is wholly free
+  EXPECT_EQ(written_and_lost({1, all}), 2U);  // no disk is wholly free
   EXPECT_EQ(bag::BagReader(folder_.path("bag_2")).about().count, 0U);
+  EXPECT_EQ(written_and_lost({1, 1}), 0U);  // of a large one no more than that
 }
 
 TEST_F(BagRecordingTest, PacksChunks) {

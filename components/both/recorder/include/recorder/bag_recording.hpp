@@ -13,14 +13,21 @@
 
 namespace tocsin {
 
+/// What recording leaves to others: a share of the disk, but no more than so many bytes.
+struct KeptFree {
+  double share = 0;  ///< [range 0,1]
+  std::uint64_t most_bytes = 1'000'000'000;
+};
+
 /// A bag with the messages as they are on the wire: `bag` in the folder, or `bag_2`, ... for a
 /// recorder that was started again, since a bag belongs to one process. On a full disk it begins
-/// when there is room. It writes nothing while less than `keep_free` [1] of the disk is free. One
+/// when there is room. It writes nothing while less than `kept_free` is. One
 /// thread. After its constructor nothing throws; what a full disk takes is counted.
 class BagRecording {
  public:
   /// Throws ConfigError naming the folder when it cannot be made.
-  BagRecording(const std::string& directory, mcap::Compression compression, double keep_free = 0);
+  BagRecording(const std::string& directory, mcap::Compression compression,
+               const KeptFree& kept_free = {});
 
   /// The number by which `write` knows the topic, which must outlive the recording.
   [[nodiscard]] std::size_t add(const ChosenTopic& topic);
@@ -37,7 +44,7 @@ class BagRecording {
   [[nodiscard]] bool has_room() const;
 
   const std::string directory_;
-  const double keep_free_;
+  const KeptFree kept_free_;
   const bag::BagOptions options_;
   std::vector<bag::Topic> topics_;
   std::vector<const TypeInfo*> types_;      ///< by topic

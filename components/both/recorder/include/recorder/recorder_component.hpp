@@ -41,7 +41,8 @@ class RecorderComponent final : public Component {
       v("topics", topics, "others: names, patterns, or NAME TYPE [QOS [host|link]]");
       visit_enum(v, "bag_compression", bag_compression, Choices{"none", "lz4", "zstd"},
                  "of the bag's chunks");
-      v("keep_free", keep_free, {0, 0.9}, "[1] of the disk that recording leaves to others");
+      v("keep_free", keep_free, {0, 0.9},
+        "[1] of the disk that recording leaves to others, of a large one 1 GB");
     }
   };
 
