@@ -178,6 +178,14 @@ void Stack::fill_disk(const std::string& name) const {
   }
 }
 
+bool Stack::remove_folder() const {
+  return eventually(std::chrono::seconds(5), [&] {
+    std::error_code busy;
+    fs::remove_all(folder_, busy);
+    return !busy;
+  });
+}
+
 void Stack::control(const std::string& socket_name, const std::string& line) const {
   const auto error = DatagramSocket().send(path(socket_name), line);
   if (error) throw std::runtime_error(path(socket_name) + ": " + error.message());

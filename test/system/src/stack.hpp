@@ -61,6 +61,8 @@ class Stack {
   [[nodiscard]] pid_t running(const std::string& process) const;
   /// Fills the disk of the run folder to the last byte with a file of this name.
   void fill_disk(const std::string& name) const;
+  /// Removes the run folder under those who write there meanwhile. False when it stays.
+  [[nodiscard]] bool remove_folder() const;
   /// Sends a line to a control socket of the run folder, for example radio.sock.
   void control(const std::string& socket, const std::string& line) const;
   /// The launcher's exit code; -1 when it did not end within `limit`.

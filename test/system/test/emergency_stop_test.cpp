@@ -58,7 +58,7 @@ TEST_F(EmergencyStopTest, WorksOnAFullDisk) {
 TEST_F(EmergencyStopTest, WorksWithoutARunFolder) {
   drive();
   const pid_t vehicle = stack_->pid("uxv/drive");
-  fs::remove_all(stack_->folder());
+  ASSERT_TRUE(stack_->remove_folder());
   EXPECT_EQ(estop({"on"}), 0) << said();
   EXPECT_TRUE(stands());
   EXPECT_EQ(estop({"status"}), 0);

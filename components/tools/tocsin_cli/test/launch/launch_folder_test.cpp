@@ -77,7 +77,11 @@ TEST_F(LaunchFolderTest, RefusesTheRunFolderOfALaunchThatWasKilled) {
 TEST_F(LaunchFolderTest, GoesOnWithoutItsRunFolder) {
   launch(sleeper);
   const int pid = wait_for_pid("a/sleeper");
-  fs::remove_all(folder_.path("run"));
+  ASSERT_TRUE(eventually([&] {  // the launcher may write there meanwhile
+    std::error_code busy;
+    fs::remove_all(folder_.path("run"), busy);
+    return !busy;
+  }));
   ASSERT_TRUE(eventually([&] { return printed("RUN FOLDER GONE"); })) << output();
   ::kill(pid, SIGKILL);
   EXPECT_TRUE(eventually([&] { return printed("restarting"); }));
