@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <optional>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "command_line/command.hpp"
@@ -96,17 +97,25 @@ Navigator::Params params_of_navigator() {
   return params;
 }
 
-DriveTask task_of(const World& world, const laser::Obstacles& obstacles,
-                  const navigation::OccupancyMap& map, const Point& goal, std::uint64_t seed,
-                  bool look) {
-  const double heading_rad = bearing(world.start, goal);
-  return {laser::Scene(world.walls, obstacles),
-          People(obstacles.walkers, look),
-          map,
-          {world.start.x_m, world.start.y_m, heading_rad},
-          goal,
-          300,
-          seed};
+/// Somebody's way through a building.
+struct Trip {
+  const World& world;
+  Point goal;
+  std::uint64_t seed;
+  bool look;  ///< the people
+};
+
+DriveResult drive_through(const Trip& trip, const laser::Obstacles& obstacles,
+                          const navigation::OccupancyMap& map) {
+  const Point& start = trip.world.start;
+  DriveTask task{laser::Scene(trip.world.walls, obstacles),
+                 People(obstacles.walkers, trip.look),
+                 map,
+                 {start.x_m, start.y_m, bearing(start, trip.goal)},
+                 trip.goal,
+                 300,
+                 trip.seed};
+  return drive(std::move(task), params_of_navigator());
 }
 
 void note_ratio(std::vector<double>& ratios, const DriveResult& result, const DriveResult& other) {
@@ -127,13 +136,10 @@ void drive_world(WorldKind kind, std::uint64_t seed, const Options& options, Sum
   if (!goal) return;
   laser::Obstacles obstacles = world.obstacles;
   obstacles.walkers = people_in(world, options, *goal, random);
-  const DriveResult result =
-      drive(task_of(world, obstacles, world.walls_only, *goal, seed, options.look),
-            params_of_navigator());
-  const DriveResult known = drive(task_of(world, obstacles, world.truth, *goal, seed, options.look),
-                                  params_of_navigator());
-  const DriveResult alone = drive(task_of(world, world.obstacles, world.truth, *goal, seed, false),
-                                  params_of_navigator());
+  const Trip trip{world, *goal, seed, options.look};
+  const DriveResult result = drive_through(trip, obstacles, world.walls_only);
+  const DriveResult known = drive_through(trip, obstacles, world.truth);
+  const DriveResult alone = drive_through(trip, world.obstacles, world.truth);
   ++sums.drives;
   ++sums.ends[static_cast<std::size_t>(result.end)];
   sums.way_m += result.way_m;
