@@ -21,8 +21,8 @@ struct KeptFree {
 
 /// A bag with the messages as they are on the wire: `bag` in the folder, or `bag_2`, ... for a
 /// recorder that was started again, since a bag belongs to one process. On a full disk it begins
-/// when there is room. It writes nothing while less than `kept_free` is. One
-/// thread. After its constructor nothing throws; what a full disk takes is counted.
+/// when there is room. It writes nothing while less than `kept_free` is free. One thread. After its
+/// constructor nothing throws; what a full disk takes is counted.
 class BagRecording {
  public:
   /// Throws ConfigError naming the folder when it cannot be made.

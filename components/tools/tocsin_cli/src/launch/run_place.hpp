@@ -24,8 +24,8 @@ struct ChosenRunFolder {
 };
 
 /// The folder of a run. One that nobody named is made in the spare place when its own disk takes
-/// nothing (full, read-only): a vehicle that is switched on drives and is heard without a disk.
-/// Throws as RunFolder does when there is no other place, or none is wanted.
+/// nothing (full, read-only): a vehicle that is switched on drives and is on the link without a
+/// disk. Throws as RunFolder does when there is no other place, or none is wanted.
 [[nodiscard]] ChosenRunFolder choose_run_folder(const std::string& wanted, const RunPlace& place);
 
 }  // namespace tocsin::cli

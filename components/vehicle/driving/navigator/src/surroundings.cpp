@@ -73,15 +73,15 @@ std::optional<geometry::Path> Surroundings::shortest(const geometry::Point& from
   }
   auto path = planner_.plan(from, to);
   if (path || (cells.empty() && !is_growing_)) return path;
-  path = tight(cells, from, to);
+  path = plan_tight(cells, from, to);
   if (path || cells.empty()) return path;
   const auto lasting = obstacles_.lasting_cells(from, now);
-  return lasting.size() < cells.size() ? tight(lasting, from, to) : std::nullopt;
+  return lasting.size() < cells.size() ? plan_tight(lasting, from, to) : std::nullopt;
 }
 
 /// Obstacles, and walls of a map that is being made, are seen to a cell: a gap that is wide enough
 /// may look closed.
-std::optional<geometry::Path> Surroundings::tight(
+std::optional<geometry::Path> Surroundings::plan_tight(
     const std::vector<navigation::CellIndex>& obstacles, const geometry::Point& from,
     const geometry::Point& to) const {
   navigation::InflationParams tight = inflation_;

@@ -88,7 +88,7 @@ class Surroundings {
  private:
   [[nodiscard]] std::optional<geometry::Path> shortest(const geometry::Point& from,
                                                        const geometry::Point& to, Time now);
-  [[nodiscard]] std::optional<geometry::Path> tight(
+  [[nodiscard]] std::optional<geometry::Path> plan_tight(
       const std::vector<navigation::CellIndex>& obstacles, const geometry::Point& from,
       const geometry::Point& to) const;
   void plan_over(std::shared_ptr<const navigation::CostMap> costs);
