@@ -83,6 +83,7 @@ void LinkEvents::on(const link_event::PeerFlowGone& event, Instant) {
   const auto found = remote_.find(event.flow);
   if (found == remote_.end()) return;
   found->second.service->on_remote_flow_gone(found->second);
+  compressed_.forget(event.flow);
   remote_.erase(found);
 }
 
@@ -104,14 +105,39 @@ void LinkEvents::on(const link_event::LinkSample& event, Instant at) {
   const RemoteFlow& flow = found->second;
   const LinkPeer* const peer = peers_.find(flow.peer);
   if (peer == nullptr) return;
-  if (event.piece.is_whole()) return flow.service->on_remote(flow, event, at);
-  const auto pieces = receiver_.on_piece(
-      peer->name,
-      {flow.wire_id, event.number, origin_of(event.sample), event.piece, event.sample.content},
-      at.now);
+  if (event.piece.is_whole()) return give(flow, event, at);
+  const auto pieces = receiver_.on_piece(peer->name,
+                                         {flow.wire_id, event.number, origin_of(event.sample),
+                                          event.piece, event.sample.content, event.sample.coding},
+                                         at.now);
   if (!pieces) return;
   const CarriedSample whole = link_.join(event.sample, *pieces);
-  flow.service->on_remote(flow, {event.flow, event.number, whole, event.received, {}}, at);
+  give(flow, {event.flow, event.number, whole, event.received, {}}, at);
+}
+
+void LinkEvents::give(const RemoteFlow& flow, link_event::LinkSample event, Instant at) {
+  if (event.sample.coding.is_compressed) {
+    const auto plain = restored(flow.id, event.sample);
+    if (!plain) return;  // nobody acknowledges it, so that it is repaired, or as good as lost
+    event.sample = *plain;
+  }
+  flow.service->on_remote(flow, event, at);
+}
+
+std::optional<CarriedSample> LinkEvents::restored(FlowId flow, const CarriedSample& sample) {
+  if (const router::Sample* const known = compressed_.find(flow, sample.source, sample.sequence)) {
+    return carried(*known);
+  }
+  const std::uint8_t before = sample.coding.base;
+  std::optional<CarriedSample> base;
+  if (before > 0 && before <= sample.sequence) {
+    const auto* known = compressed_.find(flow, sample.source, sample.sequence - before);
+    if (known != nullptr) base = carried(*known);
+  }
+  if (before > 0 && !base) return std::nullopt;
+  auto plain = link_.restore(sample, base ? &*base : nullptr);
+  if (plain) compressed_.add(flow, sample_of(*plain));
+  return plain;
 }
 
 }  // namespace tocsin

@@ -3,15 +3,17 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "link_router/compressed_samples.hpp"
 #include "link_service.hpp"
 
 namespace tocsin {
 
 /// Tells the services what happens at the link, and keeps the tables of peers and flows: a flow of
 /// the host goes to all, a flow of a peer to the service that takes it. Puts samples together that
-/// come in pieces.
+/// come in pieces, and restores those that come compressed.
 class LinkEvents {
  public:
   using Services = std::vector<std::unique_ptr<LinkService>>;
@@ -39,11 +41,15 @@ class LinkEvents {
   void on(const link_event::PeerReaderMatched& event, Instant at);
   void on(const link_event::PeerReaderGone& event, Instant at);
   void on(const link_event::LinkSample& event, Instant at);
+  void give(const RemoteFlow& flow, link_event::LinkSample event, Instant at);
+  /// Nothing when its base is not here, or is another.
+  [[nodiscard]] std::optional<CarriedSample> restored(FlowId flow, const CarriedSample& sample);
 
   LinkBus& link_;
   router::LinkReceiver& receiver_;
   const Services& services_;
   LinkPeers peers_;
+  router::CompressedSamples compressed_;
   std::map<FlowId, LocalFlow> local_;
   std::map<FlowId, RemoteFlow> remote_;
   std::map<FlowId, WriterLimits> limits_;  ///< of flows of the host with `max_rate_hz`

@@ -76,13 +76,14 @@ std::list<LinkReceiver::Partial>::iterator LinkReceiver::partial_of(Stream& stre
   auto& all = stream.partial;
   const auto known = std::find_if(all.begin(), all.end(), [&](const Partial& one) {
     return one.source == arrived.origin.source && one.sequence == arrived.origin.sequence &&
-           one.there.size() == arrived.piece.count;
+           one.coding == arrived.coding && one.there.size() == arrived.piece.count;
   });
   if (known != all.end()) return known;
   if (all.size() == most_partial) all.pop_front();
   const std::size_t count = arrived.piece.count;
   all.push_back({arrived.origin.source,
                  arrived.origin.sequence,
+                 arrived.coding,
                  std::vector<bool>(count),
                  std::vector<std::shared_ptr<const void>>(count),
                  {}});

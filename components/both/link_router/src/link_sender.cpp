@@ -84,11 +84,14 @@ void LinkSender::set_wanted(const std::string& peer, StreamId stream, bool wante
     retransmitter_.forget_reader(to->index, stream);
     return conclude(now);
   }
-  if (!to->wanted.insert(stream).second || !found->second.rule.durable) return;
-  for (const auto& entry : found->second.sources) {
+  if (!to->wanted.insert(stream).second) return;
+  for (auto& entry : found->second.sources) {
+    entry.second.compressed.on_new_reader();
     const SentSamplePtr& newest = entry.second.newest;
     if (!newest || now > newest->expires) continue;
     const auto copy = std::make_shared<SentSample>(*newest);
+    copy->sample = copy->plain;  // the peer has no base
+    copy->cost = wire_cost(copy->sample.bytes);
     copy->missing = {to->index};
     copy->under_way = 0;
     copy->repair_at = now;
@@ -210,6 +213,7 @@ Transmission LinkSender::send_first(const Waiting& waiting, Time now) {
   counters_.on_first_sent(*sent);
   source_of(stream, sent->sample).sent = now;
   retransmitter_.supersede(*sent, stream.rule.depth);
+  compress(*sent);
   const auto pieces = in_pieces(sent);
   burst_.assign(pieces.begin() + 1, pieces.end());
   return transmit(pieces.front(), now);
@@ -237,6 +241,7 @@ SentSamplePtr LinkSender::make_sent(const Waiting& waiting) {
   sent->stream = waiting.stream;
   sent->traffic_class = rule.traffic_class;
   sent->sample = waiting.sample;
+  sent->plain = waiting.sample;
   sent->cost = waiting.cost;
   sent->offered = waiting.offered;
   sent->expires = waiting.expires;
@@ -252,11 +257,28 @@ SentSamplePtr LinkSender::make_sent(const Waiting& waiting) {
   return sent;
 }
 
+void LinkSender::compress(SentSample& sent) {
+  Stream& stream = streams_.at(sent.stream);
+  if (!stream.rule.compressed || !compress_ || largest_piece_ == 0) return;
+  sent.sample = source_of(stream, sent.plain).compressed.send(sent.plain, compress_);
+  sent.cost = wire_cost(sent.sample.bytes);
+}
+
+void LinkSender::note_base(const SentSample& sent) {
+  if (!sent.sample.coding.is_compressed || sent.fate != SentSample::Fate::delivered) return;
+  const auto stream = streams_.find(sent.stream);
+  if (stream == streams_.end()) return;
+  const auto source = stream->second.sources.find(sent.plain.origin.source);
+  if (source != stream->second.sources.end()) source->second.compressed.on_delivered(sent.plain);
+}
+
 Transmission LinkSender::transmit(const SentSamplePtr& sent, Time now) {
   const Stream& stream = streams_.at(sent->stream);
   const WireCost& cost = sent->cost;
   const bool was_sent = sent->transmissions > 0;
-  Transmission one{sent->stream, sent->sample, sent->piece, false, {0, now, cost, 0, sent, {}}};
+  Transmission one{sent->stream, sent->sample,
+                   sent->piece,  sent->piece.size(sent->plain.bytes),
+                   false,        {0, now, cost, 0, sent, {}}};
   if (sent->burst != 0 && !was_sent) {
     one.record.cost = sent->burst_cost;
     one.record.burst = sent->burst;
@@ -275,7 +297,7 @@ Transmission LinkSender::transmit(const SentSamplePtr& sent, Time now) {
   one.repair = was_sent;
   if (!stream.rule.adaptive) adaptation_.on_other(cost, now);
   if (was_sent || !sent->counted) {
-    counters_.on_repair(sent->traffic_class);
+    counters_.on_repair(sent->traffic_class, cost.bytes);
     sent->mends_with_bulk() ? retransmitter_.note_with_bulk(cost.bytes, now)
                             : retransmitter_.spend(cost.bytes, now);
   }
@@ -359,11 +381,13 @@ void LinkSender::conclude(Time now) {
   for (const SentSamplePtr& sent : retransmitter_.conclude(now)) {
     if (!sent->whole) {
       counters_.conclude(*sent);
+      note_base(*sent);
       continue;
     }
     if (!conclude_piece(*sent)) continue;
     SentSample& whole = *sent->whole;
     counters_.conclude(whole);
+    note_base(whole);
     const auto stream = streams_.find(whole.stream);
     if (whole.fate != SentSample::Fate::delivered || stream == streams_.end()) continue;
     retransmitter_.end_older(whole, stream->second.rule.depth);
@@ -391,6 +415,7 @@ std::vector<Transmission> LinkSender::backfill(StreamId stream, const Sample& sa
   sent->stream = stream;
   sent->traffic_class = streams_.at(stream).rule.traffic_class;
   sent->sample = sample;
+  sent->plain = sample;
   sent->cost = wire_cost(sample.bytes);
   sent->offered = now;
   sent->expires = now;

@@ -32,8 +32,19 @@ bool LinkPeers::is_present(const LinkPeer& peer) const {
   return found != present_.end() && found->second == peer.instance;
 }
 
+LinkStreams::LinkStreams(LinkBus& link, router::LinkSender& sender) : link_(link), sender_(sender) {
+  sender_.set_compress([this](const router::Sample& plain,
+                              const router::Sample* base) -> std::optional<router::Sample> {
+    std::optional<CarriedSample> known;
+    if (base != nullptr) known = carried(*base);
+    const auto compressed = link_.compress(carried(plain), known ? &*known : nullptr);
+    if (!compressed) return std::nullopt;
+    return sample_of(*compressed);
+  });
+}
+
 void LinkStreams::add(FlowId flow, const router::StreamRule& rule) {
-  sent_bytes_[flow] = 0;
+  sent_bytes_[flow] = {};
   sender_.add_stream(flow, rule);
 }
 
@@ -55,7 +66,9 @@ void LinkStreams::send(Time now) {
     const auto number = link_.send(transmission->stream, carried(sample), transmission->piece);
     if (!number) continue;
     sender_.on_written(*transmission, *number);
-    sent_bytes_.at(transmission->stream) += transmission->piece.size(sample.bytes);
+    SentBytes& sent = sent_bytes_.at(transmission->stream);
+    sent.bytes += transmission->piece.size(sample.bytes);
+    sent.plain += transmission->plain_bytes;
   }
 }
 

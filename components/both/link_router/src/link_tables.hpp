@@ -68,11 +68,17 @@ struct RemoteFlow {
   LinkService* service = nullptr;  ///< that takes it
 };
 
+/// [B] What was sent of a stream, serialised.
+struct SentBytes {
+  std::uint64_t bytes = 0;  ///< as it was sent
+  std::uint64_t plain = 0;  ///< had nothing been compressed
+};
+
 /// The streams of this router's sender, by their flow on the link.
 class LinkStreams {
  public:
   /// Both outlive it.
-  LinkStreams(LinkBus& link, router::LinkSender& sender) : link_(link), sender_(sender) {}
+  LinkStreams(LinkBus& link, router::LinkSender& sender);
   void add(FlowId flow, const router::StreamRule& rule);
   void remove(FlowId flow);
   [[nodiscard]] bool has(FlowId flow) const { return sent_bytes_.count(flow) != 0; }
@@ -80,12 +86,12 @@ class LinkStreams {
   [[nodiscard]] std::optional<router::StreamId> find(std::uint32_t wire_id) const;
   /// Sends what is due.
   void send(Time now);
-  [[nodiscard]] std::uint64_t sent_bytes(FlowId flow) const { return sent_bytes_.at(flow); }
+  [[nodiscard]] SentBytes sent_bytes(FlowId flow) const { return sent_bytes_.at(flow); }
 
  private:
   LinkBus& link_;
   router::LinkSender& sender_;
-  std::map<FlowId, std::uint64_t> sent_bytes_;  ///< serialised
+  std::map<FlowId, SentBytes> sent_bytes_;
 };
 
 }  // namespace tocsin

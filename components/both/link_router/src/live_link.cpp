@@ -48,7 +48,7 @@ void LiveLink::on_local_flow_gone(const LocalFlow& flow, Instant) {
 void LiveLink::on_local(const LocalFlow& flow, const CarriedSample& sample, bool is_live,
                         Instant at) {
   if (!is_live) return;
-  parts_.sender.offer(*flow.on_link, {origin_of(sample), sample.bytes, sample.content}, at.now);
+  parts_.sender.offer(*flow.on_link, sample_of(sample), at.now);
 }
 
 void LiveLink::on_remote_flow(const RemoteFlow& flow, Instant at) {

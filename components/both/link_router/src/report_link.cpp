@@ -85,7 +85,9 @@ void ReportLink::report_traffic(Instant at) {
     one.sent(counts.sent);
     one.dropped(counts.dropped);
     one.held(counts.paused);
-    one.sent_bytes(parts_.streams.sent_bytes(*flow.on_link));
+    const SentBytes sent = parts_.streams.sent_bytes(*flow.on_link);
+    one.sent_bytes(sent.bytes);
+    one.plain_bytes(sent.plain);
     report.topics().push_back(std::move(one));
   }
   write(outputs_.traffic, std::move(report));

@@ -41,6 +41,7 @@ tocsin_msgs::msg::LinkClass to_message(TrafficClass traffic_class,
   message.unwanted(counts.unwanted);
   message.repaired(counts.repaired);
   message.repairs(counts.repairs);
+  message.repair_bytes(counts.repair_bytes);
   message.dropped_paused(dropped(counts, DropReason::paused));
   message.dropped_superseded(dropped(counts, DropReason::superseded));
   message.dropped_expired(dropped(counts, DropReason::expired));
@@ -73,6 +74,7 @@ router::StreamRule stream_rule(const Flow& flow, const TrafficRule& rule) {
   stream.adaptive = rule.adaptive;
   stream.on_demand = rule.on_demand;
   stream.stored = rule.stored || rule.logged || flow.stored;
+  stream.compressed = rule.compressed;
   return stream;
 }
 
@@ -81,8 +83,13 @@ router::Origin origin_of(const CarriedSample& sample) {
 }
 
 CarriedSample carried(const router::Sample& sample) {
-  return {sample.content, static_cast<std::uint32_t>(sample.bytes), sample.origin.source,
-          sample.origin.sequence, sample.origin.sent.time_since_epoch().count()};
+  return {
+      sample.content,         static_cast<std::uint32_t>(sample.bytes),      sample.origin.source,
+      sample.origin.sequence, sample.origin.sent.time_since_epoch().count(), sample.coding};
+}
+
+router::Sample sample_of(const CarriedSample& carried) {
+  return {origin_of(carried), carried.bytes, carried.content, carried.coding};
 }
 
 bool is_sound(const tocsin_msgs::msg::LinkAcknowledgement& message) {
@@ -141,6 +148,9 @@ tocsin_msgs::msg::LinkState to_message(const router::LinkStateValues& values,
   message.packets(packets.packets);
   message.bytes(packets.bytes);
   message.discovery_bytes(packets.discovery_bytes);
+  message.acknowledgement_bytes(packets.acknowledgement_bytes);
+  message.backfill_bytes(packets.backfill_bytes);
+  message.stop_bytes(packets.stop_bytes);
   return message;
 }
 

@@ -18,8 +18,9 @@ namespace tocsin {
 /// What the configuration and its writers say of a flow. `rule` of the host that sends it.
 [[nodiscard]] router::StreamRule stream_rule(const Flow& flow, const TrafficRule& rule);
 
-/// The origin of a carried sample, and back.
 [[nodiscard]] router::Origin origin_of(const CarriedSample& sample);
+/// A carried sample for the decisions, and back.
+[[nodiscard]] router::Sample sample_of(const CarriedSample& carried);
 [[nodiscard]] CarriedSample carried(const router::Sample& sample);
 
 /// Without instances, backfill and requests.

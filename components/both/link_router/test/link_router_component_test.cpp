@@ -52,6 +52,58 @@ TEST_F(LinkRouterTest, ALargeSampleGoesInPiecesThatThePeersRouterPutsTogether) {
   EXPECT_EQ(script_.delivered[0].sample.sequence, 10U);
 }
 
+TEST_F(LinkRouterTest, ASampleOfACompressedTopicCrossesSmallerAndIsCountedAsBoth) {
+  const TemporaryFolder folder;
+  script_.rules = TrafficRules(
+      folder.write("traffic.yaml", "uxv: {high: {topics: [odom], compress: [odom]}}\ngcs: {}\n"),
+      Role::uxv);
+  const FlowId on_link = begin("odom");
+  meet();
+  begin_peer_flow("link_acknowledgement", acknowledgement_flow);
+  listen(on_link);
+  write(1, host_flow, 600);
+  EXPECT_EQ(script_.sent.back().sample.bytes, 150U);
+  acknowledge(on_link, 1);
+  write(2, host_flow, 600);
+  EXPECT_EQ(script_.sent.back().sample.bytes, 60U);
+  EXPECT_EQ(script_.sent.back().sample.coding, (SampleCoding{true, 1}));
+  run(1);
+  const auto& traffic = host_->reports.last().topics()[0];
+  EXPECT_EQ(traffic.plain_bytes() % 600, 0U);
+  EXPECT_LT(traffic.sent_bytes(), traffic.plain_bytes() / 2);
+}
+
+TEST_F(LinkRouterTest, ACompressedSampleIsRestoredByItsBaseAndDeliveredOnce) {
+  meet();
+  begin_peer_flow("goal");
+  receive(1, 10, {}, {true, 0});
+  receive(2, 13, {}, {true, 3});
+  receive(3, 13, {}, {true, 3});
+  ASSERT_EQ(script_.delivered.size(), 2U);
+  EXPECT_EQ(script_.delivered[1].sample.bytes, 1000U);
+  EXPECT_FALSE(script_.delivered[1].sample.coding.is_compressed);
+  EXPECT_EQ(script_.bases, (std::vector<std::uint64_t>{0, 10})) << "the third was there already";
+}
+
+TEST_F(LinkRouterTest, WhatCannotBeRestoredIsNeitherDeliveredNorAcknowledged) {
+  meet();
+  begin_peer_flow("goal");
+  receive(1, 10, {}, {true, 0});
+  receive(2, 15, {}, {true, 2});
+  receive(3, 1, {}, {true, 200});
+  script_.damaged = true;
+  receive(4, 16, {}, {true, 6});
+  EXPECT_EQ(script_.delivered.size(), 1U);
+  run(0.2);
+  const auto& acknowledgement =
+      *static_cast<const Acknowledgement*>(script_.sent.back().sample.content.get());
+  ASSERT_EQ(acknowledgement.streams().size(), 1U);
+  EXPECT_EQ(acknowledgement.highest()[0], 1U);
+  script_.damaged = false;
+  receive(5, 17, {}, {true, 7});
+  EXPECT_EQ(script_.delivered.size(), 2U) << "what came whole is a base";
+}
+
 TEST_F(LinkRouterTest, AFlowThatHasLeftIsClosed) {
   const FlowId on_link = begin("heartbeat");
   script_.happen(link_event::HostFlowGone{host_flow});
@@ -208,6 +260,9 @@ TEST_F(LinkRouterTest, TellsTheStateOfTheLinkAndOfEachTopicOnceASecond) {
   EXPECT_TRUE(states.back().paused());
   EXPECT_EQ(states.back().packets(), 7U);
   EXPECT_EQ(states.back().discovery_bytes(), 200U);
+  EXPECT_EQ(states.back().acknowledgement_bytes(), 90U);
+  EXPECT_EQ(states.back().backfill_bytes(), 50U);
+  EXPECT_EQ(states.back().stop_bytes(), 40U);
   EXPECT_EQ(states.back().classes()[3].dropped_paused(), 1U);
   const auto reports = host_->reports.take();
   ASSERT_FALSE(reports.empty());

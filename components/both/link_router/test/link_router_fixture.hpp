@@ -65,11 +65,13 @@ class LinkRouterTest : public ::testing::Test {
     run(0);
   }
   /// A peer's flow and one transmission on it.
-  void receive(std::uint64_t number, std::uint64_t sequence, SamplePiece piece = {}) {
+  void receive(std::uint64_t number, std::uint64_t sequence, SamplePiece piece = {},
+               SampleCoding coding = {}) {
     CarriedSample sample;
     sample.bytes = 100;
     sample.source = 3;
     sample.sequence = sequence;
+    sample.coding = coding;
     sample.sent_wall_ns = host_->bus.wall_ns(host_->bus.now());
     script_.happen(link_event::LinkSample{peer_flow, number, sample, host_->bus.now(), piece});
     run(0);

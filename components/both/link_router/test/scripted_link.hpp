@@ -64,6 +64,8 @@ class ScriptedLink {
   int wants = 0;                        ///< calls that said so, or that they are not
   std::map<FlowId, Flow> offered_here;  ///< flows that are no peer's
   std::vector<bool> gate;               ///< each time that it changed: open
+  std::vector<std::uint64_t> bases;     ///< of what was to be restored; 0: none
+  bool damaged = false;                 ///< what comes compressed
   bool is_up = true;
   bool host_reads = true;  ///< readers of the host hear at once what is offered there
   std::vector<StopValue> said_stops;
@@ -101,6 +103,24 @@ class ScriptedLinkBus final : public LinkBus {
     return ++numbers_[flow];
   }
   [[nodiscard]] std::size_t largest_piece() const override { return 1000; }
+  /// A quarter is left of a sample, a tenth with a base.
+  [[nodiscard]] std::optional<CarriedSample> compress(const CarriedSample& sample,
+                                                      const CarriedSample* base) override {
+    CarriedSample compressed = sample;
+    compressed.bytes = sample.bytes / (base != nullptr ? 10 : 4);
+    const std::uint64_t before = base != nullptr ? sample.sequence - base->sequence : 0;
+    compressed.coding = {true, static_cast<std::uint8_t>(before)};
+    return compressed;
+  }
+  [[nodiscard]] std::optional<CarriedSample> restore(const CarriedSample& compressed,
+                                                     const CarriedSample* base) override {
+    script_.bases.push_back(base != nullptr ? base->sequence : 0);
+    if (script_.damaged) return std::nullopt;
+    CarriedSample plain = compressed;
+    plain.bytes = 1000;
+    plain.coding = {};
+    return plain;
+  }
   [[nodiscard]] CarriedSample join(
       const CarriedSample& last,
       const std::vector<std::shared_ptr<const void>>& pieces) const override {
@@ -147,7 +167,9 @@ class ScriptedLinkBus final : public LinkBus {
   void say_stop(const StopValue& value) override { script_.said_stops.push_back(value); }
   [[nodiscard]] StopNews take_stop_news() override { return std::exchange(script_.stop_news, {}); }
   [[nodiscard]] const TrafficRules& rules() const override { return script_.rules; }
-  [[nodiscard]] LinkPackets packets() const override { return {7, 700, 2, 200, {400, 0, 0, 100}}; }
+  [[nodiscard]] LinkPackets packets() const override {
+    return {7, 700, 2, 200, 90, 50, 40, {400, 0, 0, 100}};
+  }
 
  private:
   ScriptedLink& script_;

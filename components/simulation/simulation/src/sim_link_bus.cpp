@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "idl_support/encode.hpp"
 #include "runtime/middleware/link_permissions.hpp"
 #include "stop_bytes.hpp"
 
@@ -100,10 +101,7 @@ void SimLinkBus::tell_observer(GateEvent event) const {
 void SimLinkBus::announce() {
   if (!peers_.empty() && !process_.is_frozen()) {
     network_.link.send({host_.direction(), network_control_dscp}, announcement_bytes, [] {});
-    ++packets_.packets;
-    packets_.bytes += announcement_bytes;
-    ++packets_.discovery_packets;
-    packets_.discovery_bytes += announcement_bytes;
+    packets_.add_discovery(announcement_bytes);
   }
   network_.core.events.at(network_.core.now + announcement_period,
                           [&network = network_, own = life_] {
@@ -195,7 +193,7 @@ void SimLinkBus::want(FlowId host_flow, bool wanted) {
 
 FlowId SimLinkBus::open(const Flow& flow, TrafficClass traffic_class) {
   const FlowId id = ++last_flow_;
-  sending_[id] = {flow, traffic_class, 0};
+  sending_[id] = {flow, traffic_class, purpose_of(flow.topic), 0};
   for (const auto& peer : peers_) {
     network_.core.events.at(network_.core.now + meeting_takes,
                             [&network = network_, own = life_, other = peer.second, id] {
@@ -243,11 +241,10 @@ std::optional<std::uint64_t> SimLinkBus::send(FlowId flow, const CarriedSample& 
     const auto transmission =
         std::make_shared<Transmission>(network_, what, peer.second, packets.size());
     for (std::size_t i = 0; i < packets.size(); ++i) {
-      const std::size_t bytes = packets[i] + (stop ? stop_bytes(*stop) : 0);
-      network_.link.send({host_.direction(), dscp}, bytes, transmission, i);
-      ++packets_.packets;
-      packets_.bytes += bytes;
-      packets_.class_bytes[static_cast<std::size_t>(sending.traffic_class)] += bytes;
+      const std::size_t riding = stop ? stop_bytes(*stop) : 0;
+      network_.link.send({host_.direction(), dscp}, packets[i] + riding, transmission, i);
+      packets_.add(sending.traffic_class, sending.purpose, packets[i]);
+      if (stop) packets_.add_stop(riding, false);
     }
   }
   return number;
@@ -258,6 +255,30 @@ void SimLinkBus::on_arrived(const Overheard& what) {
   if (found == peer_flows_.end() || process_.is_frozen()) return;
   push(link_event::LinkSample{found->second, what.number, what.sample, network_.core.now,
                               what.piece});
+}
+
+std::optional<CarriedSample> SimLinkBus::compress(const CarriedSample& sample,
+                                                  const CarriedSample* base) {
+  const std::uint64_t before = base != nullptr ? sample.sequence - base->sequence : 0;
+  if (before > SampleCoding::farthest) return std::nullopt;
+  const auto encoded = [](const CarriedSample& one) {
+    return encode(*freight(one).type, freight(one).message.get());
+  };
+  CarriedSample compressed = sample;
+  compressed.bytes = static_cast<std::uint32_t>(
+      codec_.compress(encoded(sample), base != nullptr ? encoded(*base) : SampleCodec::Bytes{})
+          .size());
+  compressed.coding = {true, static_cast<std::uint8_t>(before)};
+  return compressed;
+}
+
+std::optional<CarriedSample> SimLinkBus::restore(const CarriedSample& compressed,
+                                                 const CarriedSample* /*base*/) {
+  CarriedSample plain = compressed;
+  const Freight& cargo = freight(compressed);
+  plain.bytes = static_cast<std::uint32_t>(cargo.type->serialized_size(cargo.message.get()));
+  plain.coding = {};
+  return plain;
 }
 
 void SimLinkBus::offer(FlowId peer_flow) { push(link_event::HostReaderMatched{peer_flow}); }
@@ -277,7 +298,7 @@ void SimLinkBus::deliver(FlowId flow, const CarriedSample& sample) {
 CarriedSample SimLinkBus::pack(const TypeInfo& type, std::shared_ptr<const void> message) const {
   CarriedSample sample;
   sample.bytes = static_cast<std::uint32_t>(type.serialized_size(message.get()));
-  sample.content = std::make_shared<Freight>(Freight{std::move(message), nullptr, 0, {}});
+  sample.content = std::make_shared<Freight>(Freight{std::move(message), nullptr, 0, {}, &type});
   return sample;
 }
 
@@ -330,7 +351,7 @@ void SimLinkBus::on_written(const SimProcess::Topic& topic, const Sample& sample
   carried.bytes =
       static_cast<std::uint32_t>(topic.endpoint.type->serialized_size(sample.message.get()));
   carried.content = std::make_shared<Freight>(
-      Freight{sample.message, &topic.end, sample.sequence, sample.received});
+      Freight{sample.message, &topic.end, sample.sequence, sample.received, topic.endpoint.type});
   carried.source = sample.source;
   carried.sequence = sample.sequence;
   carried.sent_wall_ns = sample.sent_wall_ns;

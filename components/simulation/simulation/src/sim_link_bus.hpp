@@ -14,6 +14,7 @@
 
 #include "link_router/wire_cost.hpp"
 #include "runtime/middleware/link_bus.hpp"
+#include "runtime/middleware/sample_codec.hpp"
 #include "sim_host.hpp"
 
 namespace tocsin::simulation {
@@ -24,6 +25,7 @@ struct Freight {
   const TopicEnd* from = nullptr;  ///< null: a message between routers
   std::uint64_t written = 0;       ///< as in Written::sequence
   Time written_at{};
+  const TypeInfo* type = nullptr;  ///< of the message
 };
 
 /// The way of a simulated host's router over the radio. Routers find each other 0.1 s after the
@@ -52,6 +54,11 @@ class SimLinkBus final : public LinkBus {
       const std::vector<std::shared_ptr<const void>>& /*pieces*/) const override {
     return last;
   }
+  /// What crosses is the message itself, in as many bytes as it would take.
+  [[nodiscard]] std::optional<CarriedSample> compress(const CarriedSample& sample,
+                                                      const CarriedSample* base) override;
+  [[nodiscard]] std::optional<CarriedSample> restore(const CarriedSample& compressed,
+                                                     const CarriedSample* base) override;
   void offer(FlowId peer_flow) override;
   FlowId offer(const Flow& flow) override;
   void deliver(FlowId flow, const CarriedSample& sample) override;
@@ -83,6 +90,7 @@ class SimLinkBus final : public LinkBus {
   struct Sending {
     Flow flow;
     TrafficClass traffic_class = TrafficClass::low;
+    LinkPurpose purpose = LinkPurpose::samples;
     std::uint64_t last = 0;
   };
   struct HostFlow {
@@ -121,6 +129,7 @@ class SimLinkBus final : public LinkBus {
   std::set<std::pair<PeerId, FlowId>> read_;                ///< of them, what the peer was told
   std::map<FlowId, Flow> known_;  ///< flows of peers, and those of offer()
   LinkPackets packets_;
+  SampleCodec codec_;
   std::shared_ptr<const StopValue> stop_;  ///< as it was said last
   Time stop_said_{};
   Time stop_sent_{};

@@ -55,9 +55,7 @@ void SimLinkBus::send_stop(Duration period) {
                          SimLinkBus* const to = network.find_router(other);
                          if (to != nullptr) to->on_packet(own, stop);
                        });
-    ++packets_.packets;
-    packets_.bytes += bytes;
-    packets_.class_bytes[static_cast<std::size_t>(TrafficClass::critical)] += bytes;
+    packets_.add_stop(bytes, true);
   }
   stop_sent_ = network_.core.now;
 }

@@ -55,6 +55,27 @@ TEST_F(LinkBusTest, SourceSequenceSendTimeAndTheMessageItselfCross) {
   EXPECT_EQ(got.received_wall_ns, Core::wall_ns(got.received));
 }
 
+TEST_F(LinkBusTest, ACompressedSampleTakesTheBytesThatItWouldTakeForReal) {
+  connect();
+  const auto writer = drive_.advertise(endpoint<topic::LinkState>());
+  run_for(1);
+  (void)writer->write(message<topic::LinkState>());
+  (void)writer->write(message<topic::LinkState>());
+  run_for(1);
+  const auto taken = up().got<HostSample>();
+  ASSERT_EQ(taken.size(), 2U);
+  const auto alone = up().bus.compress(taken[0].sample, nullptr);
+  const auto based = up().bus.compress(taken[1].sample, &taken[0].sample);
+  ASSERT_TRUE(alone && based);
+  EXPECT_LT(alone->bytes, taken[0].sample.bytes / 2);
+  EXPECT_LT(based->bytes, alone->bytes);
+  EXPECT_EQ(based->coding, (SampleCoding{true, 1}));
+  const auto plain = up().bus.restore(*based, &taken[0].sample);
+  ASSERT_TRUE(plain);
+  EXPECT_EQ(plain->bytes, taken[1].sample.bytes);
+  EXPECT_EQ(plain->content, taken[1].sample.content);
+}
+
 TEST_F(LinkBusTest, EachHostTellsTheTimeByItsOwnClock) {
   connect();
   uxv_.jump(seconds(100));

@@ -2,6 +2,7 @@
 #include "router_radio.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "link_router/wire_cost.hpp"
@@ -53,6 +54,7 @@ void RouterRadio::send(std::size_t side, const router::Transmission& one, Time n
   const auto packets = router::packets_of(one.sample.bytes, one.piece);
   if (one.repair) ++repairs_;
   packets_[one.stream] += packets.size();
+  bytes_[one.stream] += std::accumulate(packets.begin(), packets.end(), std::size_t{0});
   const router::TransmissionNumber number = ++numbers_[side][one.stream];
   senders_[side]->on_written(one, number);
   send({one, 1 - side, classes_.at(one.stream), packets.size(), number}, packets, now);
@@ -104,8 +106,9 @@ void RouterRadio::arrive(const Cargo& cargo, Time now, const Deliver& deliver) {
   }
   const auto& one = std::get<router::Transmission>(cargo.what);
   router::LinkReceiver& receiver = *receivers_[cargo.to];
-  const router::Arrived arrived{one.stream, cargo.number, one.sample.origin, one.piece, nullptr};
-  if (!receiver.on_piece(peer, arrived, now)) return;
+  const router::Arrived arrived{one.stream, cargo.number, one.sample.origin,
+                                one.piece,  nullptr,      one.sample.coding};
+  if (!receiver.on_piece(peer, arrived, now) || !usable_(one)) return;
   if (receiver.on_arrived(peer, arrived, now) == router::Disposition::deliver) {
     deliver(cargo.to, one.stream, one.sample.origin, now);
   }

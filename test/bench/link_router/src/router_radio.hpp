@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <unordered_map>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -21,6 +22,8 @@ class RouterRadio {
   /// A sample that the router of a side gives to its host.
   using Deliver = std::function<void(std::size_t side, router::StreamId stream,
                                      const router::Origin& origin, Time now)>;
+  /// Whether the receiver of a sample can use what came of it; what it cannot is not acknowledged.
+  using Usable = std::function<bool(const router::Transmission& one)>;
   struct Setup {
     router::LinkRouterParams params;
     DscpOfClass dscp;
@@ -29,6 +32,7 @@ class RouterRadio {
 
   void add_stream(std::size_t side, router::StreamId stream, const router::StreamRule& rule,
                   Time now);
+  void set_usable(Usable usable) { usable_ = std::move(usable); }
   /// An echo request of the vehicle, which the station answers.
   void send_echo(Time now);
   /// Puts on the radio what the routers want to send.
@@ -40,6 +44,11 @@ class RouterRadio {
   [[nodiscard]] router::LinkSender& sender(std::size_t side) { return *senders_[side]; }
   [[nodiscard]] double acknowledgements() const { return acknowledgements_; }
   [[nodiscard]] double repairs() const { return repairs_; }
+  /// [B] on the radio, with all headers from IP on.
+  [[nodiscard]] std::size_t bytes_of(router::StreamId stream) const {
+    const auto found = bytes_.find(stream);
+    return found == bytes_.end() ? 0 : found->second;
+  }
   /// That were sent of it.
   [[nodiscard]] std::size_t packets_of(router::StreamId stream) const {
     const auto found = packets_.find(stream);
@@ -71,6 +80,8 @@ class RouterRadio {
   std::array<std::unordered_map<router::StreamId, router::TransmissionNumber>, 2> numbers_;
   std::unordered_map<radio::FrameId, std::shared_ptr<Cargo>> under_way_;
   std::unordered_map<router::StreamId, std::size_t> packets_;
+  std::unordered_map<router::StreamId, std::size_t> bytes_;
+  Usable usable_ = [](const router::Transmission&) { return true; };
   double acknowledgements_ = 0;
   double repairs_ = 0;
 };

@@ -22,7 +22,8 @@ struct SentSample {
   enum class Fate : std::uint8_t { open, delivered, lost, unwanted };
   StreamId stream = 0;
   TrafficClass traffic_class = TrafficClass::low;
-  Sample sample;
+  Sample sample;  ///< as it is sent
+  Sample plain;   ///< as it was offered
   WireCost cost;
   Time offered{};
   Time expires = never;  ///< not repaired after it

@@ -22,7 +22,11 @@ class LinkCounters {
 
   void on_offered(StreamId stream, TrafficClass traffic_class);
   void on_first_sent(const SentSample& sent);
-  void on_repair(TrafficClass traffic_class) { ++of(traffic_class).repairs; }
+  /// It takes so many bytes on the wire.
+  void on_repair(TrafficClass traffic_class, std::size_t bytes) {
+    ++of(traffic_class).repairs;
+    of(traffic_class).repair_bytes += bytes;
+  }
   void on_dropped(const Waiting& waiting, const StreamRule& rule, DropReason reason);
   /// One-way delay of one that was received, over the least seen lately.
   void on_delay(TrafficClass traffic_class, Duration delay) { of(traffic_class).delay = delay; }

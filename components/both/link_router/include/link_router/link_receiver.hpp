@@ -25,6 +25,7 @@ struct Arrived {
   Origin origin;
   SamplePiece piece{};                    ///< of the sample
   std::shared_ptr<const void> content{};  ///< of a piece: the caller's
+  SampleCoding coding{};                  ///< of a piece: of what they make
 };
 
 /// What to do with it.
@@ -76,6 +77,7 @@ class LinkReceiver {
   struct Partial {
     SourceId source = 0;
     std::uint64_t sequence = 0;
+    SampleCoding coding;
     std::vector<bool> there;
     std::vector<std::shared_ptr<const void>> pieces;
     Time last{};  ///< arrival of any

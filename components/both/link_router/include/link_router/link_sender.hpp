@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "link_router/compressed_source.hpp"
 #include "link_router/delivery_log.hpp"
 #include "link_router/link_acknowledgement.hpp"
 #include "link_router/link_budget.hpp"
@@ -29,6 +30,7 @@ struct Transmission {
   StreamId stream = 0;
   Sample sample;
   SamplePiece piece{};           ///< of the sample
+  std::size_t plain_bytes = 0;   ///< of this piece, had the sample not been compressed
   bool repair = false;           ///< it was sent before
   DeliveryLog::Record record{};  ///< for on_written(); without its number
 };
@@ -57,6 +59,10 @@ class LinkSender {
 
   /// A sample that does not fit a packet goes in pieces of at most so many bytes; 0: whole.
   void set_largest_piece(std::size_t bytes) { largest_piece_ = bytes; }
+
+  /// By what samples of compressed streams are made smaller; without it none is. None is either
+  /// while samples go whole: somebody reads who knows neither pieces nor compression.
+  void set_compress(Compress compress) { compress_ = std::move(compress); }
 
   /// A link writer.
   void add_stream(StreamId stream, const StreamRule& rule);
@@ -122,6 +128,7 @@ class LinkSender {
   struct Source {
     Time sent = Time::min();  ///< the last one that was sent for the first time
     SentSamplePtr newest;     ///< of a durable stream: for peers that are late
+    CompressedSource compressed;
   };
   struct Stream {
     StreamRule rule;
@@ -140,6 +147,8 @@ class LinkSender {
   /// Whether there is time left for it to cross within its lifespan.
   [[nodiscard]] bool can_arrive(const Waiting& waiting, Time now) const;
   [[nodiscard]] SentSamplePtr make_sent(const Waiting& waiting);
+  void compress(SentSample& sent);
+  void note_base(const SentSample& sent);
   [[nodiscard]] std::vector<SentSamplePtr> pieces_of(const SentSamplePtr& sent) const;
   /// The same, which are sent one after the other, at once.
   [[nodiscard]] std::vector<SentSamplePtr> in_pieces(const SentSamplePtr& sent);
@@ -160,6 +169,7 @@ class LinkSender {
   LinkAdaptation adaptation_;
   LinkCounters counters_;
   std::size_t largest_piece_ = largest_piece;
+  Compress compress_;
   std::deque<SentSamplePtr> burst_;  ///< the pieces of a sample that are still to be sent, at once
   std::uint64_t bursts_ = 0;
 };

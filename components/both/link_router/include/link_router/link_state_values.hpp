@@ -21,6 +21,7 @@ struct ClassCounts {
   std::uint64_t unwanted = 0;   ///< sent, and no peer wanted it
   std::uint64_t repaired = 0;   ///< of delivered: only by a repair
   std::uint64_t repairs = 0;    ///< transmissions of samples that were sent before
+  std::uint64_t repair_bytes = 0;  ///< [B] of them on the wire, as wire_cost() has it
   std::array<std::uint64_t, drop_reason_count> dropped{};  ///< by DropReason
   std::size_t waiting_samples = 0;                         ///< now, in the router
   std::size_t waiting_bytes = 0;                           ///< now, serialised

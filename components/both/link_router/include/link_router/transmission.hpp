@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "foundation/sample_coding.hpp"
 #include "foundation/time.hpp"
 #include "foundation/traffic_class.hpp"
 #include "link_router/wire_cost.hpp"
@@ -47,6 +48,7 @@ struct Sample {
   Origin origin;
   std::size_t bytes = 0;                ///< serialised
   std::shared_ptr<const void> content;  ///< the caller's; kept as long as it may be sent again
+  SampleCoding coding{};                ///< of the content
 };
 
 /// What the configuration says of a stream.
@@ -58,11 +60,12 @@ struct StreamRule {
   WhilePaused while_paused = WhilePaused::send;
   std::size_t depth = 1;  ///< newest samples of each source that are kept (KEEP_LAST); at least 1
   Duration lifespan = Duration::max();  ///< an older sample is neither sent nor delivered
-  bool repaired = false;   ///< what is missing is sent again; default: ClassPolicy::repaired
-  bool durable = false;    ///< the newest sample of each source is sent to peers that come later
-  bool adaptive = false;   ///< its source follows the budget
-  bool on_demand = false;  ///< what no peer wants is not sent
-  bool stored = false;     ///< the fate of each sample is reported, so that the lost ones follow
+  bool repaired = false;    ///< what is missing is sent again; default: ClassPolicy::repaired
+  bool durable = false;     ///< the newest sample of each source is sent to peers that come later
+  bool adaptive = false;    ///< its source follows the budget
+  bool on_demand = false;   ///< what no peer wants is not sent
+  bool stored = false;      ///< the fate of each sample is reported, so that the lost ones follow
+  bool compressed = false;  ///< its samples are made smaller where that gains something
 };
 
 /// What became of a sample on the link; one that was given up may be delivered all the same.

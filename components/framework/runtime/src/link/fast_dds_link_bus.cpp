@@ -19,6 +19,7 @@
 #include "rtps/this_host.hpp"
 #include "runtime/middleware/link_bus.hpp"
 #include "runtime/middleware/link_limits.hpp"
+#include "runtime/middleware/link_permissions.hpp"
 
 namespace tocsin {
 namespace {
@@ -30,6 +31,14 @@ constexpr std::size_t largest_plain_piece = 1188;
 constexpr std::size_t largest_sealed_piece = 1000;
 
 Time steady_now() { return std::chrono::steady_clock::now(); }
+
+const std::vector<std::uint8_t> none;
+
+CarriedSample with_content(CarriedSample sample, std::vector<std::uint8_t> bytes) {
+  sample.bytes = static_cast<std::uint32_t>(bytes.size());
+  sample.content = std::make_shared<EncodedMessage>(EncodedMessage{std::move(bytes)});
+  return sample;
+}
 
 StopChannel::Options stop_options(const BusOptions& options, std::function<void()> on_news) {
   return {ipv4_addresses(options.link_peers), options.enclave, radio_message_bytes,
@@ -127,7 +136,8 @@ void FastDdsLinkBus::connect(FlowId id, Sending& sending) {
   } catch (const EnvironmentError& error) {
     return log_refusal("send", topic, error);
   }
-  marks_->set(sending.writer->entity(), rules_.dscp(sending.traffic_class), sending.traffic_class);
+  marks_->set(sending.writer->entity(), {rules_.dscp(sending.traffic_class), sending.traffic_class,
+                                         purpose_of(sending.flow.topic)});
 }
 
 std::optional<LinkEvent> FastDdsLinkBus::take() {
@@ -221,6 +231,7 @@ bool FastDdsLinkBus::has_outlived_its_lifespan(const TakenSample& taken, FlowId 
 void FastDdsLinkBus::on_host_sample(const ReaderKey& key, TakenSample&& taken) {
   const auto id = table_.flow_of(taken.writer, key.reliable, key.transient_local);
   if (!id || has_outlived_its_lifespan(taken, *id)) return;
+  taken.sample.coding = {};  // whoever says otherwise: on a host nothing is compressed
   table_.push(link_event::HostSample{*id, std::move(taken.sample), steady_now() - taken.waited});
 }
 
@@ -278,11 +289,28 @@ std::size_t FastDdsLinkBus::largest_piece() const {
 
 CarriedSample FastDdsLinkBus::join(const CarriedSample& last,
                                    const std::vector<std::shared_ptr<const void>>& pieces) const {
-  CarriedSample sample = last;
-  auto whole = std::make_shared<EncodedMessage>(put_together(pieces));
-  sample.bytes = static_cast<std::uint32_t>(whole->bytes.size());
-  sample.content = std::move(whole);
-  return sample;
+  return with_content(last, put_together(pieces).bytes);
+}
+
+std::optional<CarriedSample> FastDdsLinkBus::compress(const CarriedSample& sample,
+                                                      const CarriedSample* base) {
+  const std::uint64_t before = base != nullptr ? sample.sequence - base->sequence : 0;
+  if (before > SampleCoding::farthest) return std::nullopt;
+  auto bytes =
+      codec_.compress(content_of(sample).bytes, base != nullptr ? content_of(*base).bytes : none);
+  CarriedSample compressed = with_content(sample, std::move(bytes));
+  compressed.coding = {true, static_cast<std::uint8_t>(before)};
+  return compressed;
+}
+
+std::optional<CarriedSample> FastDdsLinkBus::restore(const CarriedSample& compressed,
+                                                     const CarriedSample* base) {
+  auto bytes = codec_.restore(content_of(compressed).bytes,
+                              base != nullptr ? content_of(*base).bytes : none);
+  if (!bytes) return std::nullopt;
+  CarriedSample plain = with_content(compressed, std::move(*bytes));
+  plain.coding = {};
+  return plain;
 }
 
 void FastDdsLinkBus::say_stop(const StopValue& value) {
@@ -329,11 +357,7 @@ std::vector<std::uint8_t> FastDdsLinkBus::bytes_of(const CarriedSample& sample) 
 }
 
 CarriedSample FastDdsLinkBus::sample_of(std::vector<std::uint8_t> bytes) const {
-  auto encoded = std::make_shared<EncodedMessage>(EncodedMessage{std::move(bytes)});
-  CarriedSample sample;
-  sample.bytes = static_cast<std::uint32_t>(encoded->bytes.size());
-  sample.content = std::move(encoded);
-  return sample;
+  return with_content({}, std::move(bytes));
 }
 
 CarriedSample FastDdsLinkBus::pack(const TypeInfo& type,

@@ -22,6 +22,7 @@
 #include "runtime/logger.hpp"
 #include "runtime/middleware/fast_dds_bus.hpp"
 #include "runtime/middleware/link_bus.hpp"
+#include "runtime/middleware/sample_codec.hpp"
 #include "transport/radio_marks.hpp"
 #include "transport/stop_channel.hpp"
 
@@ -49,6 +50,10 @@ class FastDdsLinkBus final : public LinkBus {
   [[nodiscard]] CarriedSample join(
       const CarriedSample& last,
       const std::vector<std::shared_ptr<const void>>& pieces) const override;
+  [[nodiscard]] std::optional<CarriedSample> compress(const CarriedSample& sample,
+                                                      const CarriedSample* base) override;
+  [[nodiscard]] std::optional<CarriedSample> restore(const CarriedSample& compressed,
+                                                     const CarriedSample* base) override;
   void offer(FlowId peer_flow) override;
   FlowId offer(const Flow& flow) override;
   void deliver(FlowId flow, const CarriedSample& sample) override;
@@ -101,6 +106,7 @@ class FastDdsLinkBus final : public LinkBus {
   FlowTable table_;
   ServiceTable service_table_;
   Demand demand_;
+  SampleCodec codec_;
   const std::shared_ptr<RadioMarks> marks_ = std::make_shared<RadioMarks>();
   const std::shared_ptr<StopChannel> stop_;
   std::atomic<bool> interface_is_up_{false};

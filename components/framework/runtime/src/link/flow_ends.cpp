@@ -40,7 +40,10 @@ TakenSample taken(IncomingSample& incoming, const dds::SampleInfo& info) {
   result.sample.bytes = incoming.bytes;
   result.sample.source = origin ? origin->source : source_of(result.writer);
   result.sample.sequence = origin ? origin->sequence : result.number;
-  if (origin) result.piece = origin->piece;
+  if (origin) {
+    result.piece = origin->piece;
+    result.sample.coding = origin->coding;
+  }
   result.sample.sent_wall_ns = info.source_timestamp.to_ns();
   result.waited = waited_in_socket();
   return result;
@@ -98,7 +101,7 @@ std::optional<std::uint64_t> FlowWriter::write(const CarriedSample& sample, Samp
   if (!piece.is_whole()) part = cut_out(content_of(sample), piece);
   OutgoingSample outgoing(piece.is_whole() ? sample.content.get() : &part);
   rtps::WriteParams params =
-      on_behalf_of({sample.source, sample.sequence, piece}, sample.sent_wall_ns);
+      on_behalf_of({sample.source, sample.sequence, piece, sample.coding}, sample.sent_wall_ns);
   if (!writer_->write(static_cast<CarriedMessage*>(&outgoing), params)) return std::nullopt;
   return params.sample_identity().sequence_number().to64long();
 }

@@ -12,6 +12,7 @@ struct ClassEntry {
   std::vector<std::string> topics;
   std::vector<std::string> adaptive;
   std::vector<std::string> on_demand;
+  std::vector<std::string> compress;
   std::vector<std::string> store;
   std::vector<std::string> log;
   std::vector<std::string> keep;
@@ -29,6 +30,9 @@ struct ClassEntry {
     v("adaptive", adaptive, "those of them whose writers follow the link's budget");
     v("on_demand", on_demand,
       "those of them that cross while somebody on the other side reads them, and not otherwise");
+    v("compress", compress,
+      "those of them that cross as what is new in them, where that is less; or patterns that fit "
+      "them");
     v("store", store, "those of them of which nothing is lost: a log keeps what does not cross");
     v("log", log,
       "topics of this class, or of none, that a log keeps: what did not cross does when asked for");

@@ -46,6 +46,11 @@ bool is_of_routers(const TrafficRules& rules, const std::string& topic) {
   });
 }
 
+LinkPurpose purpose_of(const std::string& topic) {
+  if (topic == link_acknowledgement_topic) return LinkPurpose::acknowledgements;
+  return topic == backfill_topic ? LinkPurpose::backfill : LinkPurpose::samples;
+}
+
 keystore::Permissions link_permissions(const LinkSide& side) {
   const Role other = side.role == Role::uxv ? Role::gcs : Role::uxv;
   return {topics_of(side.role, side), topics_of(other, side)};

@@ -33,8 +33,15 @@ void refuse_unknown_maps(const YAML::Node& file, const YamlSources& sources) {
   }
 }
 
-/// A topic that its class calls adaptive, on demand or stored, and no class of the role has, is
-/// misspelt.
+/// Whether a name is one of these, or a pattern that fits one.
+bool fits_any(const std::string& name, const std::vector<std::string>& known) {
+  return std::any_of(known.begin(), known.end(), [&](const std::string& one) {
+    return one == name || (is_pattern(name) && fits(name, one));
+  });
+}
+
+/// A topic that its class calls adaptive, on demand, compressed or stored, and no class of the role
+/// has, is misspelt.
 void refuse_unknown_topics(const YAML::Node& classes, const std::string& role,
                            const NameRules<TrafficRule>& rules, const YamlSources& sources) {
   std::vector<std::string> known;
@@ -42,9 +49,9 @@ void refuse_unknown_topics(const YAML::Node& classes, const std::string& role,
   for (const auto& rule : rules.patterns()) known.push_back(rule.first);
   for (const auto& entry : classes) {
     if (!entry.second.IsMap()) continue;
-    for (const char* const list : {"adaptive", "on_demand", "store"}) {
+    for (const char* const list : {"adaptive", "on_demand", "compress", "store"}) {
       for (const YAML::Node& topic : entry.second[list]) {
-        if (std::count(known.begin(), known.end(), topic.Scalar()) != 0) continue;
+        if (fits_any(topic.Scalar(), known)) continue;
         throw ConfigError(role + "." + entry.first.Scalar() + "." + list + ": " + topic.Scalar() +
                           " is in no class of this role" +
                           did_you_mean(known, topic.Scalar(), "topics") +
@@ -70,6 +77,8 @@ TrafficRule rule_of(const std::string& topic, TrafficClass traffic_class, const 
   rule.while_poor = to_while_poor(entry.while_poor);
   rule.adaptive = names(entry.adaptive, topic);
   rule.on_demand = names(entry.on_demand, topic);
+  rule.compressed = std::any_of(entry.compress.begin(), entry.compress.end(),
+                                [&](const auto& one) { return fits_any(one, {topic}); });
   rule.stored = entry.while_poor == "store" || names(entry.store, topic);
   rule.logged = names(entry.log, topic);
   rule.max_rate_hz = entry.max_rate_hz;

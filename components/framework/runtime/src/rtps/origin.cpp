@@ -15,12 +15,18 @@ namespace rtps = eprosima::fastrtps::rtps;
 constexpr std::array<rtps::octet, 4> mark{'t', 'c', 's', 'n'};
 constexpr std::size_t source_bytes = 8;
 
-rtps::EntityId_t entity_of(const SamplePiece& piece) {
+rtps::EntityId_t entity_of(const SamplePiece& piece, const SampleCoding& coding) {
   rtps::EntityId_t entity(0x00000003);  // a writer without key, RTPS 2.2 section 9.3.1.2
+  if (coding.is_compressed) entity.value[2] = static_cast<rtps::octet>(coding.base + 1);
   if (piece.is_whole()) return entity;
   entity.value[0] = piece.index;
   entity.value[1] = piece.count;
   return entity;
+}
+
+SampleCoding coding_in(const rtps::EntityId_t& entity) {
+  const rtps::octet byte = entity.value[2];
+  return byte == 0 ? SampleCoding{} : SampleCoding{true, static_cast<std::uint8_t>(byte - 1)};
 }
 
 std::optional<SamplePiece> piece_in(const rtps::EntityId_t& entity) {
@@ -49,7 +55,7 @@ rtps::SampleIdentity identity_of(const Origin& origin) {
     guid.guidPrefix.value[i] = static_cast<rtps::octet>(origin.source >> (8 * i));
   }
   std::copy(mark.begin(), mark.end(), guid.guidPrefix.value + source_bytes);
-  guid.entityId = entity_of(origin.piece);
+  guid.entityId = entity_of(origin.piece, origin.coding);
   rtps::SampleIdentity identity;
   identity.writer_guid(guid);
   identity.sequence_number(rtps::SequenceNumber_t(static_cast<std::int32_t>(origin.sequence >> 32U),
@@ -64,6 +70,7 @@ std::optional<Origin> origin_in(const rtps::SampleIdentity& identity) {
   if (!piece) return std::nullopt;
   Origin origin;
   origin.piece = *piece;
+  origin.coding = coding_in(identity.writer_guid().entityId);
   for (std::size_t i = 0; i < source_bytes; ++i) {
     origin.source |= static_cast<std::uint64_t>(bytes[i]) << (8 * i);
   }

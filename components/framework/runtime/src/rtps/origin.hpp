@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "foundation/sample_coding.hpp"
 #include "foundation/sample_piece.hpp"
 
 namespace tocsin {
@@ -14,11 +15,13 @@ namespace tocsin {
 /// Who wrote a sample that a router carries, and which of his it is. It travels as the sample's
 /// related identity (PID_RELATED_SAMPLE_IDENTITY), which ROS 2 and others use for services only;
 /// the name of this stack in the GUID tells ours from theirs. The entity id of the
-/// GUID has the place of a piece and their number in its first two bytes, zeros for a whole sample.
+/// GUID has the place of a piece and their number in its first two bytes, zeros for a whole sample;
+/// its third is 0 for content as it was written, else 1 and the distance of its base.
 struct Origin {
   std::uint64_t source = 0;
   std::uint64_t sequence = 0;
   SamplePiece piece{};  ///< of that sample
+  SampleCoding coding{};
 };
 
 /// Source of what a DDS writer writes itself, see Sample: a hash of its GUID.

@@ -9,9 +9,9 @@ constexpr std::size_t ip_and_udp_bytes = 28;
 
 }  // namespace
 
-void RadioMarks::set(const Endpoint& endpoint, int dscp, TrafficClass traffic_class) {
+void RadioMarks::set(const Endpoint& endpoint, const Mark& mark) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  marks_[endpoint] = {dscp, traffic_class};
+  marks_[endpoint] = mark;
 }
 
 void RadioMarks::forget(const Endpoint& endpoint) {
@@ -23,26 +23,30 @@ int RadioMarks::mark(const std::uint8_t* message, std::size_t size, std::size_t 
   const auto endpoint = sender_in(message, size);
   const bool discovery = !endpoint || is_builtin(*endpoint);
   const std::lock_guard<std::mutex> lock(mutex_);
-  ++packets_.packets;
-  packets_.bytes += sent + ip_and_udp_bytes;
-  if (discovery) {
-    ++packets_.discovery_packets;
-    packets_.discovery_bytes += sent + ip_and_udp_bytes;
-    return network_control;
+  const std::uint64_t bytes = sent + ip_and_udp_bytes;
+  const auto found = discovery ? marks_.end() : marks_.find(*endpoint);
+  if (found != marks_.end()) {
+    packets_.add(found->second.traffic_class, found->second.purpose, bytes);
+    return found->second.dscp;
   }
-  const auto found = marks_.find(*endpoint);
-  if (found == marks_.end()) return network_control;
-  packets_.class_bytes[static_cast<std::size_t>(found->second.traffic_class)] +=
-      sent + ip_and_udp_bytes;
-  return found->second.dscp;
+  if (discovery) {
+    packets_.add_discovery(bytes);
+  } else {
+    ++packets_.packets;
+    packets_.bytes += bytes;
+  }
+  return network_control;
 }
 
 int RadioMarks::mark_stop(std::size_t sent) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  ++packets_.packets;
-  packets_.bytes += sent + ip_and_udp_bytes;
-  packets_.class_bytes[static_cast<std::size_t>(TrafficClass::critical)] += sent + ip_and_udp_bytes;
+  packets_.add_stop(sent + ip_and_udp_bytes, true);
   return network_control;
+}
+
+void RadioMarks::note_rider(std::size_t bytes) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  packets_.add_stop(bytes, false);
 }
 
 LinkPackets RadioMarks::packets() const {

@@ -107,7 +107,9 @@ class RadioSender : public rtps::SenderResource {
     const auto stop = parts_.stop
                           ? parts_.stop->ride(ipv4_of(to), size, std::chrono::steady_clock::now())
                           : nullptr;
-    return stop ? socket_.send(bytes, size, to, dscp, *stop) : socket_.send(bytes, size, to, dscp);
+    if (!stop) return socket_.send(bytes, size, to, dscp);
+    parts_.marks->note_rider(stop->size());
+    return socket_.send(bytes, size, to, dscp, *stop);
   }
   /// Values of the stop that go alone say by it who has sent them.
   void note_header(const rtps::octet* bytes, std::size_t size) {

@@ -143,6 +143,31 @@ TEST_F(LinkBusTest, APictureCrossesInPiecesOfOnePacketEach) {
   }
 }
 
+TEST_F(LinkBusTest, ACompressedSampleCrossesInFewerBytesAndIsRestored) {
+  const Relay uxv(options(Role::uxv), Relay::Compress::yes);
+  Relay gcs(options(Role::gcs));
+  const auto vehicle = process(Role::uxv);
+  const auto station = process(Role::gcs);
+  Samples there;
+  const auto far = station->subscribe(endpoint<topic::CameraImage>(), there);
+  const auto writer = vehicle->advertise(endpoint<topic::CameraImage>());
+  const auto image = std::make_shared<topic::CameraImage::Message>();
+  image->format("jpeg");
+  image->data().resize(30'001, 7);
+  ASSERT_TRUE(eventually([&] {
+    (void)writer->write(image);
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    return there.all().size() > 3;
+  }));
+  const auto arrived =
+      std::static_pointer_cast<const topic::CameraImage::Message>(there.all().back().message);
+  EXPECT_EQ(arrived->data(), image->data());
+  const auto crossed = gcs.crossed();
+  EXPECT_TRUE(crossed.back().sample.coding.is_compressed);
+  EXPECT_GT(crossed.back().sample.coding.base, 0) << "the one before";
+  EXPECT_LT(crossed.back().sample.bytes, 200U);
+}
+
 TEST_F(LinkBusTest, AReaderOnTheLinkThatIsNoRouterGetsWholePictures) {
   const BusOptions vehicle_options = options(Role::uxv);
   Relay uxv(vehicle_options);

@@ -63,6 +63,17 @@ TEST(TrafficRules, AnAdaptiveTopicIsNamedBesideItsClass) {
   EXPECT_FALSE(sut.of("cpu").adaptive);
 }
 
+TEST(TrafficRules, ACompressedTopicIsNamedBesideItsClassByItsNameOrAPatternThatFits) {
+  const ConfigFile file(
+      "uxv:\n  high: {topics: [odom, imu], compress: [odom]}\n"
+      "  low: {topics: [cpu, scan, 'map*'], compress: ['*']}\ngcs: {}\n");
+  const TrafficRules sut(file.path(), Role::uxv);
+  EXPECT_TRUE(sut.of("odom").compressed);
+  EXPECT_FALSE(sut.of("imu").compressed);
+  EXPECT_TRUE(sut.of("cpu").compressed);
+  EXPECT_TRUE(sut.of("map_tiles").compressed);
+}
+
 TEST(TrafficRules, ATopicOnDemandIsNamedBesideItsClassByItsNameOrPattern) {
   const ConfigFile file(
       "uxv:\n  low: {topics: [cpu, scan, 'map*'], on_demand: [scan, 'map*']}\ngcs: {}\n");
@@ -260,6 +271,10 @@ TEST(TrafficRules, AMistakeIsAnErrorWithItsPlace) {
            {"uxv:\n  low: {topics: [a]}\n  high: {topics: [a]}\n", "a is in two classes", ":3)"},
            {"uxv:\n  low: {topics: [camera], adaptive: [camra]}\n",
             "uxv.low.adaptive: camra is in no class of this role", ":2)"},
+           {"uxv:\n  low: {topics: [scan], compress: [scam]}\n",
+            "uxv.low.compress: scam is in no class of this role", ":2)"},
+           {"uxv:\n  low: {topics: [scan]}\n  high: {topics: [odom], compress: ['sc?n', 'x*']}\n",
+            "uxv.high.compress: x* is in no class of this role", ":3)"},
            {"uxv:\n  low: {topics: [scan], on_demand: [scam]}\n",
             "uxv.low.on_demand: scam is in no class of this role", ":2)"},
            {"uxv:\n  low: {topics: [scan], on_demand: [scan], store: [scan]}\n",

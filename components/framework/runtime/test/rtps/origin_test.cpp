@@ -24,6 +24,13 @@ TEST(Origin, TellsOfWhichPieceTheSampleIs) {
   EXPECT_EQ(origin_in(identity_of({1, 2, last}))->piece, last);
 }
 
+TEST(Origin, TellsHowTheContentIsCompressed) {
+  EXPECT_FALSE(origin_in(identity_of({1, 2, {}, {}}))->coding.is_compressed);
+  for (const SampleCoding coding : {SampleCoding{true, 0}, SampleCoding{true, 254}}) {
+    EXPECT_EQ(origin_in(identity_of({1, 2, {3, 9}, coding}))->coding, coding);
+  }
+}
+
 TEST(Origin, IsNotSeenWhereThePieceCannotBe) {
   for (const auto& [index, count] : {std::pair{5, 5}, std::pair{0, 49}, std::pair{3, 0}}) {
     rtps::SampleIdentity identity = identity_of({1, 2, {1, 2}});

@@ -29,7 +29,7 @@ TEST(RadioMarks, APacketBearsTheMarkOfItsWriter) {
   const rtps::EntityId_t writer = writer_7();
   Bytes bytes = message_of_writer_7();
   EXPECT_EQ(sut.mark(bytes.data(), bytes.size(), bytes.size()), 48) << "not known yet";
-  sut.set(writer, 8, TrafficClass::low);
+  sut.set(writer, {8, TrafficClass::low, {}});
   EXPECT_EQ(sut.mark(bytes.data(), bytes.size(), bytes.size()), 8);
   sut.forget(writer);
   EXPECT_EQ(sut.mark(bytes.data(), bytes.size(), bytes.size()), 48);
@@ -40,13 +40,32 @@ TEST(RadioMarks, TheBytesOfAWriterCountForItsClassAlsoWhenItIsForgotten) {
   const rtps::EntityId_t writer = writer_7();
   Bytes bytes = message_of_writer_7();
   (void)sut.mark(bytes.data(), bytes.size(), bytes.size());
-  sut.set(writer, 32, TrafficClass::high);
+  sut.set(writer, {32, TrafficClass::high, {}});
   (void)sut.mark(bytes.data(), bytes.size(), bytes.size());
   (void)sut.mark(bytes.data(), bytes.size(), bytes.size());
   sut.forget(writer);
   const auto& by_class = sut.packets().class_bytes;
   EXPECT_EQ(by_class[1], 2 * (bytes.size() + 28));
   EXPECT_EQ(by_class[0] + by_class[2] + by_class[3], 0U);
+}
+
+TEST(RadioMarks, BytesAreCountedByWhatTheyAreFor) {
+  RadioMarks sut;
+  const rtps::EntityId_t writer = writer_7();
+  Bytes bytes = message_of_writer_7();
+  sut.set(writer, {48, TrafficClass::critical, LinkPurpose::acknowledgements});
+  (void)sut.mark(bytes.data(), bytes.size(), 100);
+  sut.note_rider(40);
+  sut.set(writer, {8, TrafficClass::low, LinkPurpose::backfill});
+  (void)sut.mark(bytes.data(), bytes.size(), 1000);
+  EXPECT_EQ(sut.mark_stop(60), 48);
+  const LinkPackets packets = sut.packets();
+  EXPECT_EQ(packets.acknowledgement_bytes, 128U);
+  EXPECT_EQ(packets.backfill_bytes, 1028U);
+  EXPECT_EQ(packets.stop_bytes, 40U + 88U) << "in a packet of another, and in one of its own";
+  EXPECT_EQ(packets.bytes, 128U + 1028U + 40U + 88U);
+  EXPECT_EQ(packets.packets, 3U);
+  EXPECT_EQ(packets.class_bytes[0], 128U) << "without the stop's";
 }
 
 TEST(RadioMarks, DiscoveryGoesFirstAndIsCounted) {

@@ -12,6 +12,9 @@ namespace {
 
 using Message = topic::NetworkQuality::Message;
 
+/// Headers of an echo request (RFC 791, RFC 792).
+constexpr std::size_t ip_and_icmp_bytes = 20 + 8;
+
 /// NaN is how the message says "not told".
 float or_nan(const std::optional<double>& value) {
   return value ? static_cast<float>(*value) : std::numeric_limits<float>::quiet_NaN();
@@ -61,6 +64,7 @@ NetworkMonitorComponent::NetworkMonitorComponent(Context& context, const Params&
       interface_name_(params.interface_name),
       echo_(context.devices().open<EchoDevice>(target_of(params), when_readable())),
       probe_period_(seconds(params.probe.period_s)),
+      probe_size_(ip_and_icmp_bytes + static_cast<std::size_t>(params.payload_bytes)),
       window_(params.probe),
       wireless_(open_wireless(context.devices(), params)) {
   wake_on(echo_->descriptor());
@@ -88,6 +92,7 @@ void NetworkMonitorComponent::send_due(Time now) {
   const SendResult result = echo_->send(*sequence);
   if (result.error == 0) {
     window_.on_sent(*sequence, result.at);
+    probe_bytes_ += probe_size_;
   } else {
     window_.on_send_error(*sequence);
   }
@@ -108,6 +113,7 @@ void NetworkMonitorComponent::publish(const network::ProbeSample& sample, Time n
   put_probes(sample, message);
   put_wireless(reading, trend_.update(reading), message);
   message.interface_name(interface_name_);
+  message.probe_bytes(probe_bytes_);
   if (quality_.write(std::move(message)) == Status::failed) log().warn("a sample was not sent");
 }
 

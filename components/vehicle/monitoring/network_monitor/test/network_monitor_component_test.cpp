@@ -105,6 +105,12 @@ TEST_F(NetworkMonitorTest, ReportsALivingLink) {
   EXPECT_EQ(last.nanosec(), samples.front().stamp().nanosec()) << "once a second";
 }
 
+TEST_F(NetworkMonitorTest, TellsWhatItsProbesCost) {
+  const auto samples = run(10);
+  const std::uint64_t between = samples[9].probe_bytes() - samples[3].probe_bytes();
+  EXPECT_EQ(between, 6 * 20 * (28U + 56U) / 6) << "one each 0.3 s of 56 bytes and headers";
+}
+
 TEST_F(NetworkMonitorTest, ReportsADeadLinkAsHundredPercentLost) {
   target_.alive = false;
   const auto samples = run(10);

@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "foundation/sample_coding.hpp"
 #include "foundation/sample_piece.hpp"
 #include "foundation/stop_value.hpp"
 #include "foundation/time.hpp"
@@ -50,6 +51,7 @@ struct CarriedSample {
   std::uint64_t source = 0;             ///< who wrote it, as in Sample, on whatever host
   std::uint64_t sequence = 0;           ///< of that writer
   std::int64_t sent_wall_ns = 0;        ///< [ns] since the Unix epoch, that writer's clock
+  SampleCoding coding{};                ///< of the content
 };
 
 /// Given by the bus; never used again.
@@ -112,14 +114,45 @@ using LinkEvent =
                  link_event::PeerFlowGone, link_event::PeerReaderMatched,
                  link_event::PeerReaderGone, link_event::HostReaderMatched, link_event::LinkSample>;
 
+/// What a flow on the link is for.
+enum class LinkPurpose {
+  samples,           ///< of topics, services and actions
+  acknowledgements,  ///< between routers
+  backfill,          ///< samples that did not cross at first
+};
+
 /// IP packets that a host's router has put on the link since its start, by what is in them.
 struct LinkPackets {
   std::uint64_t packets = 0;
   std::uint64_t bytes = 0;              ///< with IP and UDP headers
   std::uint64_t discovery_packets = 0;  ///< of participants and endpoints
   std::uint64_t discovery_bytes = 0;
-  /// Of bytes: those of the flows of each class.
+  std::uint64_t acknowledgement_bytes = 0;  ///< between routers
+  std::uint64_t backfill_bytes = 0;         ///< of samples that did not cross at first
+  std::uint64_t stop_bytes = 0;  ///< of the emergency stop's value, in packets and between
+  /// Of bytes: those of the flows of each class, acknowledgements and backfill included.
   std::array<std::uint64_t, traffic_classes.size()> class_bytes{};
+
+  /// A packet of a flow of `open`.
+  void add(TrafficClass traffic_class, LinkPurpose purpose, std::uint64_t size) {
+    ++packets;
+    bytes += size;
+    class_bytes[static_cast<std::size_t>(traffic_class)] += size;
+    if (purpose == LinkPurpose::acknowledgements) acknowledgement_bytes += size;
+    if (purpose == LinkPurpose::backfill) backfill_bytes += size;
+  }
+  void add_discovery(std::uint64_t size) {
+    ++packets;
+    bytes += size;
+    ++discovery_packets;
+    discovery_bytes += size;
+  }
+  /// Of the emergency stop's value: in a packet that is counted, or in one of its own.
+  void add_stop(std::uint64_t size, bool is_packet) {
+    packets += is_packet ? 1 : 0;
+    bytes += size;
+    stop_bytes += size;
+  }
 };
 
 /// What the one process that owns the radio of a host needs of the middleware: topics of any type
@@ -155,6 +188,18 @@ class LinkBus {
   /// The sample whose pieces were received, all of them in their order. `last`: any of them.
   [[nodiscard]] virtual CarriedSample join(
       const CarriedSample& last, const std::vector<std::shared_ptr<const void>>& pieces) const = 0;
+  /// A sample in fewer bytes, for routers that have `base` (null: nothing); its coding says how.
+  /// Nothing when `base` is too far before it, or nothing is compressed here.
+  [[nodiscard]] virtual std::optional<CarriedSample> compress(const CarriedSample& /*sample*/,
+                                                              const CarriedSample* /*base*/) {
+    return std::nullopt;
+  }
+  /// The sample that was compressed so; nothing when these are no such bytes, or `base` is not the
+  /// one that it was compressed by.
+  [[nodiscard]] virtual std::optional<CarriedSample> restore(const CarriedSample& /*compressed*/,
+                                                             const CarriedSample* /*base*/) {
+    return std::nullopt;
+  }
   /// Makes the writer on this host of a peer's flow. A HostReaderMatched reports each reader of
   /// another process that it matches from then on. A topic that the rules take on demand is
   /// received while it has such a reader.

@@ -5,6 +5,7 @@
 
 #include "foundation/role.hpp"
 #include "keystore/permissions.hpp"
+#include "runtime/middleware/link_bus.hpp"
 #include "runtime/middleware/traffic_rules.hpp"
 
 namespace tocsin {
@@ -21,6 +22,9 @@ inline constexpr const char* link_services_topic = "link_services";
 
 /// Whether a topic is one of those, of which no rule tells: of calls if the file has some.
 [[nodiscard]] bool is_of_routers(const TrafficRules& rules, const std::string& topic);
+
+/// What a flow of such a topic, or of another, is for.
+[[nodiscard]] LinkPurpose purpose_of(const std::string& topic);
 
 /// Whose permissions on a secured link are meant.
 struct LinkSide {

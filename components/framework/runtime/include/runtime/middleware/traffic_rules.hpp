@@ -46,13 +46,14 @@ enum class WhilePoor {
 struct TrafficRule {
   TrafficClass traffic_class = TrafficClass::normal;
   WhilePoor while_poor = WhilePoor::send;
-  bool adaptive = false;   ///< its writer follows the link's budget
-  bool on_demand = false;  ///< crosses while somebody on the other side reads it
-  bool stored = false;     ///< what does not cross at first is kept in a log and backfilled later
-  bool logged = false;     ///< a log keeps it, and what did not cross does so when it is asked for
-  bool live = true;        ///< crosses as it is written; false: it is logged only
-  double max_rate_hz = 0;  ///< [1/s] of each writer cross at most so many; 0: all
-  int depth = 1;           ///< [1, 10000] newest samples of each writer that count
+  bool adaptive = false;    ///< its writer follows the link's budget
+  bool on_demand = false;   ///< crosses while somebody on the other side reads it
+  bool stored = false;      ///< what does not cross at first is kept in a log and backfilled later
+  bool logged = false;      ///< a log keeps it, and what did not cross does so when it is asked for
+  bool compressed = false;  ///< crosses in fewer bytes where that gains something
+  bool live = true;         ///< crosses as it is written; false: it is logged only
+  double max_rate_hz = 0;   ///< [1/s] of each writer cross at most so many; 0: all
+  int depth = 1;            ///< [1, 10000] newest samples of each writer that count
   /// Older samples do not cross; what their writer offers, if that is less.
   double lifespan_s = std::numeric_limits<double>::infinity();
 };

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
@@ -16,11 +17,13 @@ namespace tocsin {
 
 constexpr int relay_dscp = 32;  ///< of class high
 
-/// A router that carries everything at once, as it comes, large samples in pieces. Its thread has
-/// the network namespace of who makes it.
+/// A router that carries everything at once, as it comes, large samples in pieces, and, if so
+/// wanted, each compressed by the one before. Its thread has the network namespace of who makes it.
 class Relay {
  public:
-  explicit Relay(const BusOptions& options) : thread_([this, options] { run(options); }) {}
+  enum class Compress { no, yes };
+  explicit Relay(const BusOptions& options, Compress compress = Compress::no)
+      : compress_(compress == Compress::yes), thread_([this, options] { run(options); }) {}
   ~Relay() {
     stopping_ = true;
     thread_.join();
@@ -77,12 +80,21 @@ class Relay {
   }
   void on(LinkBus& bus, const link_event::HostSample& event) {
     const std::size_t largest = bus.largest_piece();
-    const std::size_t bytes = event.sample.bytes;
+    const CarriedSample sample = as_sent(bus, event);
+    const std::size_t bytes = sample.bytes;
     const auto count = static_cast<std::uint8_t>(
         largest > 0 && bytes > largest + 4 ? (bytes + largest - 1) / largest : 1);
     for (std::uint8_t i = 0; i < count; ++i) {
-      (void)bus.send(sending_.at(event.flow), event.sample, {i, count});
+      (void)bus.send(sending_.at(event.flow), sample, {i, count});
     }
+  }
+  CarriedSample as_sent(LinkBus& bus, const link_event::HostSample& event) {
+    if (!compress_) return event.sample;
+    const auto last = last_sent_.find(event.flow);
+    const auto compressed =
+        bus.compress(event.sample, last != last_sent_.end() ? &last->second : nullptr);
+    last_sent_[event.flow] = event.sample;
+    return compressed.value_or(event.sample);
   }
   void on(LinkBus&, const link_event::PeerFound& event) {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -106,7 +118,14 @@ class Relay {
   }
   void on(LinkBus& bus, link_event::LinkSample& event) {
     if (!event.piece.is_whole() && !join(bus, event)) return;
-    bus.deliver(event.flow, event.sample);
+    const auto last = last_received_.find(event.flow);
+    std::optional<CarriedSample> plain = event.sample;
+    if (event.sample.coding.is_compressed) {
+      plain = bus.restore(event.sample, last != last_received_.end() ? &last->second : nullptr);
+    }
+    if (!plain) return;
+    last_received_[event.flow] = *plain;
+    bus.deliver(event.flow, *plain);
     const std::lock_guard<std::mutex> lock(mutex_);
     crossed_.push_back(event);
   }
@@ -121,6 +140,9 @@ class Relay {
     return true;
   }
 
+  const bool compress_;
+  std::map<FlowId, CarriedSample> last_sent_;
+  std::map<FlowId, CarriedSample> last_received_;
   std::mutex mutex_;
   std::map<FlowId, FlowId> sending_;
   std::map<std::pair<FlowId, std::uint64_t>, std::map<int, std::shared_ptr<const void>>> partial_;

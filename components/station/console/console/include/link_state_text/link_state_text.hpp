@@ -16,7 +16,8 @@ namespace tocsin::link_text {
 
 /// The state in one line, what matters most first: peers that are silent, a closed gate, capacity,
 /// backlog, loss, late and repaired samples of class critical + high, scale of the adaptive
-/// streams, share of discovery in all bytes since the router started. `-` for what is no number;
+/// streams, and, of all bytes since the router started, the shares of repairs, acknowledgements,
+/// backfill, the emergency stop's value and discovery. `-` for what is no number;
 /// a capacity that is only assumed is `not measured`.
 /// The words that matter less give way where there is no room (terminal::Span::rank).
 [[nodiscard]] terminal::Line words(const tocsin_msgs::msg::LinkState& state);

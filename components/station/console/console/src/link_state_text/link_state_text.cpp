@@ -46,10 +46,16 @@ std::string urgent(const LinkState& state, const Count& count) {
   return fmt::format("{}+{}", of(TrafficClass::critical), of(TrafficClass::high));
 }
 
-std::string discovery_share(const LinkState& state) {
+/// Of all bytes since the router started.
+std::string share(const LinkState& state, std::uint64_t bytes) {
   if (state.bytes() == 0) return "-";
-  const auto part = static_cast<double>(state.discovery_bytes());
-  return number(100 * part / static_cast<double>(state.bytes()), 0, " %");
+  return number(100 * static_cast<double>(bytes) / static_cast<double>(state.bytes()), 0, " %");
+}
+
+std::uint64_t repair_bytes(const LinkState& state) {
+  std::uint64_t bytes = 0;
+  for (const LinkClass& one : state.classes()) bytes += one.repair_bytes();
+  return bytes;
 }
 
 /// Why little or nothing may cross; empty when all is well.
@@ -103,7 +109,11 @@ Line words(const LinkState& state) {
   add(", late " + urgent(state, [](const LinkClass& one) { return one.late(); }), 3);
   add(", repaired " + urgent(state, [](const LinkClass& one) { return one.repaired(); }), 5);
   add(", scale " + number(state.scale(), 2, ""), 4);
-  add(", discovery " + discovery_share(state), 6);
+  add(", repairs " + share(state, repair_bytes(state)), 6);
+  add(", acknowledgements " + share(state, state.acknowledgement_bytes()), 7);
+  add(", backfill " + share(state, state.backfill_bytes()), 9);
+  add(", stop " + share(state, state.stop_bytes()), 8);
+  add(", discovery " + share(state, state.discovery_bytes()), 10);
   return line;
 }
 

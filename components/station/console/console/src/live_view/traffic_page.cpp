@@ -52,6 +52,7 @@ void add_row(const TrafficRow& row, const FreshnessLimits& limits, terminal::Tab
              {row.age ? precise_age(*row.age) : "-", mine},
              {delivery.counts, theirs},
              {delivery.share, theirs},
+             {reported && row.size ? number(100 * *row.size, 0, "%") : "-", theirs},
              {paused ? "PAUSED" : "", report == Freshness::fresh ? Style::bad : Style::old},
              {reported ? std::to_string(row.dropped) : "-", theirs}});
 }
@@ -74,6 +75,7 @@ std::vector<terminal::Line> traffic_lines(const std::vector<TrafficRow>& traffic
                          {"age", Align::right, 0, 6},
                          {"received/sent", Align::right, 2},
                          {"", Align::right, 1, 5},
+                         {"size", Align::right, 6, 5},
                          {"gate", Align::left, 0, 6},
                          {"dropped", Align::right, 5}});
   for (const TrafficRow& row : traffic) add_row(row, limits, table);

@@ -45,6 +45,10 @@ void TrafficTable::on_report(const tocsin_msgs::msg::TrafficReport& report, Time
     entry.row.topic = topic.topic();
     entry.row.traffic_class = topic.traffic_class();
     entry.row.paused = topic.paused();
+    if (topic.plain_bytes() > 0) {
+      entry.row.size =
+          static_cast<double>(topic.sent_bytes()) / static_cast<double>(topic.plain_bytes());
+    }
     entry.reported = now;
   }
 }

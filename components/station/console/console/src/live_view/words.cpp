@@ -74,7 +74,9 @@ Line words(const tocsin_msgs::msg::NetworkQuality& quality, Duration) {
   return {{"PER " + number(quality.per_percent(), 1, "%")},
           {", RTT " + number(quality.rtt_mean_ms(), 1, "ms"), Style::plain, 2},
           {", signal " + number(quality.signal_dbm(), 0, "dBm"), Style::plain, 1},
-          {", link quality " + number(quality.quality_percent(), 0, "%"), Style::plain, 3}};
+          {", link quality " + number(quality.quality_percent(), 0, "%"), Style::plain, 3},
+          {", probes " + number(static_cast<double>(quality.probe_bytes()) / 1000, 0, "kB"),
+           Style::plain, 4}};
 }
 
 Line words(const tocsin_msgs::msg::TransmissionState& state, Duration age) {

@@ -29,12 +29,16 @@ LinkState healthy() {
   state.scale(0.75F);
   state.bytes(1000);
   state.discovery_bytes(20);
+  state.acknowledgement_bytes(70);
+  state.stop_bytes(110);
   for (const char* name : {"critical", "high", "normal", "low"}) {
     state.classes().emplace_back().traffic_class(name);
   }
   state.classes()[0].offered(100);
   state.classes()[0].late(3);
   state.classes()[0].repaired(12);
+  state.classes()[0].repair_bytes(25);
+  state.classes()[3].repair_bytes(15);
   state.classes()[1].late(1);
   state.classes()[1].repaired(4);
   state.classes()[3].offered(50);
@@ -58,9 +62,9 @@ std::string table_of(const std::vector<LinkState>& states, std::size_t width = 2
 }
 
 TEST(LinkStateText, LeavesOutWhatMattersLessWhereThereIsNoRoom) {
-  EXPECT_EQ(
-      text_of(healthy()),
-      "1182 kB/s, backlog 3 ms, loss 1 %, late 3+1, repaired 12+4, scale 0.75, discovery 2 %");
+  EXPECT_EQ(text_of(healthy()),
+            "1182 kB/s, backlog 3 ms, loss 1 %, late 3+1, repaired 12+4, scale 0.75, repairs 4 %, "
+            "acknowledgements 7 %, backfill 0 %, stop 11 %, discovery 2 %");
   EXPECT_EQ(text_of(healthy(), 70),
             "1182 kB/s, backlog 3 ms, loss 1 %, late 3+1, repaired 12+4, scale 0.75");
   EXPECT_EQ(text_of(healthy(), 60), "1182 kB/s, backlog 3 ms, loss 1 %, late 3+1, scale 0.75");
@@ -98,7 +102,8 @@ TEST(LinkStateText, WhatIsNoNumberIsADash) {
   state.capacity_measured(true);
   state.loss(std::numeric_limits<float>::quiet_NaN());
   EXPECT_EQ(text_of(state),
-            "-, backlog 0 ms, loss -, late 0+0, repaired 0+0, scale 0.00, discovery -");
+            "-, backlog 0 ms, loss -, late 0+0, repaired 0+0, scale 0.00, repairs -, "
+            "acknowledgements -, backfill -, stop -, discovery -");
 }
 
 TEST(LinkStateText, ACapacityThatIsOnlyAssumedIsNotShown) {

@@ -65,7 +65,7 @@ TEST(Screen, TellsSafetyMissionVehicleLinkAndTopicsInThisOrder) {
 Safety    EMERGENCY STOP, bumper
 Mission   mission_a: running, waypoint 4 of 9, 2:05 min, 4 goals sent
 Vehicle   at (1.23, 0.00) m, driving, 4.2 m to go
-Link      PER 12.5 %, RTT 0.0 ms, signal -, link quality 0 %
+Link      PER 12.5 %, RTT 0.0 ms, signal -, link quality 0 %, probes 84 kB
 Vehicle   PASSIVE by tocp_dsp (cusum_alarm) QNI 50.0, resumes in 24 s
 Station   ACTIVE  by tocp_dsp (cusum_alarm) QNI 50.0 [#####.....] 0.0/0.0
 Uplink    180 kB/s, backlog 12 ms, loss 3 %, late 3+0, repaired 12+0, scale 0.75

@@ -31,6 +31,17 @@ TEST(TrafficTable, CountsBothSidesFromTheFirstReportOn) {
   EXPECT_EQ(rows[0].received, 2U);
 }
 
+TEST(TrafficTable, TellsWhatCompressionLeavesOfATopic) {
+  TrafficTable sut;
+  auto message = report("odom", "high", 100);
+  sut.on_report(message, t0);
+  EXPECT_FALSE(sut.rows(t0)[0].size);
+  message.topics()[0].plain_bytes(72'400);
+  message.topics()[0].sent_bytes(9'050);
+  sut.on_report(message, t0);
+  EXPECT_EQ(sut.rows(t0)[0].size, 0.125);
+}
+
 TEST(TrafficTable, StartsAgainWhenTheWriterWasRestarted) {
   TrafficTable sut;
   sut.on_report(report("camera", "low", 100), t0);

@@ -66,6 +66,7 @@ inline ViewState full_state() {
   state.navigation = {navigation, t0};
   tocsin_msgs::msg::NetworkQuality quality;
   quality.per_percent(12.5F);
+  quality.probe_bytes(84'000);
   quality.signal_dbm(std::numeric_limits<float>::quiet_NaN());
   state.quality = {quality, t0};
   tocsin_msgs::msg::TransmissionState decision;

@@ -55,7 +55,9 @@ class NetworkMonitorComponent final : public Component {
   std::string interface_name_;
   std::unique_ptr<EchoDevice> echo_;
   const Duration probe_period_;
-  std::optional<Time> begin_;  ///< of probing
+  const std::size_t probe_size_;   ///< [B] with IP header
+  std::uint64_t probe_bytes_ = 0;  ///< of those that have left
+  std::optional<Time> begin_;      ///< of probing
   network::ProbeWindow window_;
   std::unique_ptr<network::WirelessDevice> wireless_;  ///< null: no interface is configured
   network::WirelessTrend trend_;
