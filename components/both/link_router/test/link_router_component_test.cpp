@@ -68,7 +68,7 @@ TEST_F(LinkRouterTest, ASampleOfACompressedTopicCrossesSmallerAndIsCountedAsBoth
   EXPECT_EQ(script_.sent.back().sample.bytes, 60U);
   EXPECT_EQ(script_.sent.back().sample.coding, (SampleCoding{true, 1}));
   run(1);
-  const auto& traffic = host_->reports.last().topics()[0];
+  const auto traffic = host_->reports.take().back().topics()[0];
   EXPECT_EQ(traffic.plain_bytes() % 600, 0U);
   EXPECT_LT(traffic.sent_bytes(), traffic.plain_bytes() / 2);
 }

@@ -43,6 +43,7 @@ constexpr Column columns[] = {
     {"rcpt/s", &Figures::acknowledgements_per_s},
     {"rep/s", &Figures::repairs_per_s},
     {"unreach%", &Figures::unreachable},
+    {"least p99", &Figures::least_p99_ms},
 };
 
 /// Sets the parameter that is named.
@@ -169,7 +170,7 @@ void run_mission(const Options& options, bool b, const std::string& policy) {
       steps.pause = policy != "none";
       const auto radio_seed = static_cast<std::uint64_t>(seed);
       Figures figures = run_link(traffic, steps, radio_seed);
-      figures.unreachable = unreachable_share(traffic, steps, radio_seed);
+      add_bounds(traffic, steps, radio_seed, figures);
       results[variant.name].push_back(figures);
     }
   }

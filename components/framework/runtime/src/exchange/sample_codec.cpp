@@ -41,17 +41,18 @@ SampleCodec::Bytes SampleCodec::compress(const Bytes& plain, const Bytes& base) 
       ZSTD_compress2(context, frame.data(), frame.size(), plain.data(), plain.size());
   if (ZSTD_isError(size) != 0) throw std::bad_alloc();  // the bound is kept
   const std::size_t body = size - magic.size();
-  const auto padding = static_cast<std::uint8_t>((4 - body % 4) % 4);
-  Bytes sample{0, 1, 0, padding};  // CDR, little endian
-  sample.insert(sample.end(), frame.begin() + magic.size(),
-                frame.begin() + static_cast<std::ptrdiff_t>(size));
+  Bytes sample(header_bytes + body);
+  sample[1] = 1;  // CDR, little endian
+  sample[3] = static_cast<std::uint8_t>((4 - body % 4) % 4);
+  std::copy_n(frame.begin() + magic.size(), body, sample.begin() + header_bytes);
   return sample;
 }
 
 std::optional<SampleCodec::Bytes> SampleCodec::restore(const Bytes& compressed, const Bytes& base) {
   if (compressed.size() < header_bytes) return std::nullopt;
-  Bytes frame(magic.begin(), magic.end());
-  frame.insert(frame.end(), compressed.begin() + header_bytes, compressed.end());
+  Bytes frame(magic.size() + compressed.size() - header_bytes);
+  std::copy(magic.begin(), magic.end(), frame.begin());
+  std::copy(compressed.begin() + header_bytes, compressed.end(), frame.begin() + magic.size());
   const std::size_t size = ZSTD_findFrameCompressedSize(frame.data(), frame.size());
   if (ZSTD_isError(size) != 0 || frame.size() - size > most_padding) return std::nullopt;
   const unsigned long long claimed = ZSTD_getFrameContentSize(frame.data(), size);

@@ -32,8 +32,8 @@ struct TrafficRow {
   std::uint64_t sent = 0;       ///< by the other side in the same time
   std::uint64_t dropped = 0;    ///< by its gate, since it started
   bool paused = false;
-  std::optional<double> size;  ///< [0, 1] of its serialised bytes that cross; empty: nothing sent
   Duration report_age{0};      ///< of what the other side told: sent, dropped, paused
+  std::optional<double> size;  ///< [0, 1] of its serialised bytes that cross; empty: nothing sent
 };
 
 /// How the reader of a topic stands.

@@ -20,7 +20,8 @@ inline TrafficRow camera_row() {
           100,
           11,
           true,
-          seconds(0.5)};
+          seconds(0.5),
+          0.25};
 }
 
 /// What the router of a role tells of its way.

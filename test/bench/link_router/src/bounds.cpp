@@ -44,17 +44,20 @@ std::vector<Arrival> arrivals(const MissionTraffic& traffic, const Steps& steps,
 
 }  // namespace
 
-double unreachable_share(const MissionTraffic& traffic, const Steps& steps, std::uint64_t seed) {
+void add_bounds(const MissionTraffic& traffic, const Steps& steps, std::uint64_t seed,
+                Figures& figures) {
   const auto arrived = arrivals(traffic, steps, seed);
   auto next = arrived.begin();
-  double written = 0;
-  double late = 0;
+  std::vector<Duration> delays;
   for (Time now = traffic.begin + warm_up; now + late_after <= traffic.end; now += period) {
     while (next != arrived.end() && next->sent < now) ++next;
-    ++written;
-    if (next == arrived.end() || next->at > now + late_after) ++late;
+    delays.push_back(next == arrived.end() ? never - now : next->at - now);
   }
-  return 100 * late / written;
+  std::sort(delays.begin(), delays.end());
+  const auto in_time = std::upper_bound(delays.begin(), delays.end(), late_after) - delays.begin();
+  const auto all = static_cast<double>(delays.size());
+  figures.unreachable = 100 * (1 - static_cast<double>(in_time) / all);
+  figures.least_p99_ms = 1e3 * to_seconds(delays[static_cast<std::size_t>(0.99 * (all - 1))]);
 }
 
 }  // namespace tocsin::bench
