@@ -17,7 +17,9 @@ constexpr Duration pieces_missed_for = std::chrono::milliseconds(150);
 constexpr std::size_t most_partial = 8;
 /// A stream is in the acknowledgements of this time after something of it was received, so that one
 /// of them arrives.
-constexpr Duration repeated_for = std::chrono::milliseconds(500);
+constexpr Duration repeated_for = std::chrono::milliseconds(150);
+/// After so long without an acknowledgement all streams are in the next one.
+constexpr Duration all_after = std::chrono::milliseconds(500);
 /// What is not older than this was sent a moment ago.
 constexpr Duration fresh = std::chrono::milliseconds(500);
 /// Only numbers far below the highest are received for so long: the highest is none of the peer's.
@@ -196,7 +198,7 @@ std::optional<LinkReceiver::Addressed> LinkReceiver::take_acknowledgement(Time n
 LinkAcknowledgement LinkReceiver::make_acknowledgement(Peer& peer, Time now) {
   LinkAcknowledgement acknowledgement{++peer.acknowledgements, now, {}};
   // After a silence everything is reported once more.
-  const bool idle = !peer.acknowledgement_sent || now - *peer.acknowledgement_sent >= repeated_for;
+  const bool idle = !peer.acknowledgement_sent || now - *peer.acknowledgement_sent >= all_after;
   for (const auto& [id, stream] : peer.streams) {
     if (stream.highest == 0 || (!idle && now - stream.noted > repeated_for)) continue;
     acknowledgement.streams.push_back({id, stream.highest, now - stream.last, stream.before});

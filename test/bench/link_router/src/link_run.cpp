@@ -195,6 +195,7 @@ class LinkRun {
     f.airtime =
         100 * to_seconds(report.uplink.air.airtime + report.downlink.air.airtime) / length_s;
     f.acknowledgements_per_s = routers_.acknowledgements() / length_s;
+    f.acknowledgement_bytes_per_s = routers_.acknowledgement_bytes() / length_s;
     f.repairs_per_s = routers_.repairs() / length_s;
     return f;
   }

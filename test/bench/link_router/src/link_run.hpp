@@ -36,9 +36,10 @@ struct Figures {
   double location_age_p99_s = 0;  ///< at the station, each 0.1 s
   double picture_p99_ms = 0;
   double pictures_per_s = 0;
-  double picture_kb = 0;  ///< mean size of those delivered
-  double airtime = 0;     ///< [%]
-  double acknowledgements_per_s = 0;
+  double picture_kb = 0;                   ///< mean size of those delivered
+  double airtime = 0;                      ///< [%]
+  double acknowledgements_per_s = 0;       ///< of both sides
+  double acknowledgement_bytes_per_s = 0;  ///< with all headers
   double repairs_per_s = 0;
   double unreachable = 0;   ///< [%] of the time: nothing written then can be there in 250 ms
   double least_p99_ms = 0;  ///< what is written then can be there after so long in 99 %

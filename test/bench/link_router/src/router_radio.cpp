@@ -14,7 +14,7 @@ constexpr const char* peer = "peer";
 constexpr std::size_t origin_bytes = 32;  // as in wire_cost()
 constexpr std::size_t echo_bytes = 92;
 /// An acknowledgement as CDR with 32 bits for numbers and 16 for ages.
-constexpr std::size_t acknowledgement_bytes = 28;
+constexpr std::size_t empty_acknowledgement_bytes = 28;
 constexpr std::size_t stream_acknowledgement_bytes = 18;
 
 }  // namespace
@@ -63,8 +63,9 @@ void RouterRadio::send(std::size_t side, const router::Transmission& one, Time n
 void RouterRadio::send(std::size_t side, const router::LinkAcknowledgement& acknowledgement,
                        Time now) {
   const std::size_t bytes =
-      acknowledgement_bytes + stream_acknowledgement_bytes * acknowledgement.streams.size();
+      empty_acknowledgement_bytes + stream_acknowledgement_bytes * acknowledgement.streams.size();
   ++acknowledgements_;
+  acknowledgement_bytes_ += static_cast<double>(router::wire_cost(bytes).bytes);
   send({acknowledgement, 1 - side, TrafficClass::critical, 1}, router::packets_of(bytes), now);
 }
 

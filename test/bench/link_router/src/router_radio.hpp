@@ -43,6 +43,8 @@ class RouterRadio {
 
   [[nodiscard]] router::LinkSender& sender(std::size_t side) { return *senders_[side]; }
   [[nodiscard]] double acknowledgements() const { return acknowledgements_; }
+  /// [B] on the radio.
+  [[nodiscard]] double acknowledgement_bytes() const { return acknowledgement_bytes_; }
   [[nodiscard]] double repairs() const { return repairs_; }
   /// [B] on the radio, with all headers from IP on.
   [[nodiscard]] std::size_t bytes_of(router::StreamId stream) const {
@@ -83,6 +85,7 @@ class RouterRadio {
   std::unordered_map<router::StreamId, std::size_t> bytes_;
   Usable usable_ = [](const router::Transmission&) { return true; };
   double acknowledgements_ = 0;
+  double acknowledgement_bytes_ = 0;
   double repairs_ = 0;
 };
 
