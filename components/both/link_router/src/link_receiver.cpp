@@ -63,8 +63,8 @@ Disposition LinkReceiver::on_arrived(const std::string& peer, const Arrived& arr
   Peer& from = known->second;
   const auto found = from.streams.find(arrived.stream);
   if (found == from.streams.end()) return Disposition::unknown_stream;
-  ask_for_acknowledgement(from, now);
   const StreamRule& rule = found->second.rule;
+  ask_for_acknowledgement(from, now, rule.repaired ? acknowledgement_period : relaxed_period);
   const Disposition disposition = judge(from, rule, arrived.origin, now);
   const bool in_vain =
       disposition == Disposition::superseded || disposition == Disposition::expired;
@@ -109,7 +109,7 @@ std::optional<std::vector<std::shared_ptr<const void>>> LinkReceiver::on_piece(
     stream.partial.erase(partial);
     return pieces;
   }
-  ask_for_acknowledgement(known->second, now);
+  ask_for_acknowledgement(known->second, now, relaxed_period);
   note(stream, arrived.number, now);
   return std::nullopt;
 }
@@ -176,16 +176,16 @@ SourceMemory& LinkReceiver::memory_of(Peer& peer, const std::string& stream, Sou
   return place->second;
 }
 
-void LinkReceiver::ask_for_acknowledgement(Peer& peer, Time now) {
+void LinkReceiver::ask_for_acknowledgement(Peer& peer, Time now, Duration period) {
   Time due = now + acknowledgement_delay;
-  if (peer.acknowledgement_sent)
-    due = std::max(due, *peer.acknowledgement_sent + acknowledgement_period);
+  if (peer.acknowledgement_sent) due = std::max(due, *peer.acknowledgement_sent + period);
   peer.acknowledgement_due = std::min(peer.acknowledgement_due, due);
 }
 
 void LinkReceiver::ask_for_acknowledgement(const std::string& peer, Time now) {
   const auto known = peers_.find(peer);
-  if (known != peers_.end() && known->second.instance) ask_for_acknowledgement(known->second, now);
+  if (known == peers_.end() || !known->second.instance) return;
+  ask_for_acknowledgement(known->second, now, acknowledgement_period);
 }
 
 std::optional<LinkReceiver::Addressed> LinkReceiver::take_acknowledgement(Time now) {

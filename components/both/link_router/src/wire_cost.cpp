@@ -45,6 +45,10 @@ std::vector<std::size_t> packets_of(std::size_t bytes, SamplePiece piece) {
   return packets;
 }
 
+std::size_t packet_without_origin(std::size_t bytes) {
+  return around - origin + data_header + padded(bytes);
+}
+
 std::uint8_t count_pieces(std::size_t bytes, std::size_t largest) {
   if (bytes <= largest_payload || largest == 0) return 1;
   const std::size_t pieces = (bytes + largest - 1) / largest;

@@ -34,5 +34,9 @@ TEST(WireCost, DataEndsAtAMultipleOfFour) {
   EXPECT_EQ(packets_of(45)[0], packets_of(44)[0] + 4);
 }
 
+TEST(WireCost, AMessageBetweenRoutersHasNoOrigin) {
+  EXPECT_EQ(packet_without_origin(101), packets_of(101).front() - 32);
+}
+
 }  // namespace
 }  // namespace tocsin::router

@@ -219,6 +219,13 @@ void SimLinkBus::close(FlowId flow) {
   }
 }
 
+std::vector<std::size_t> SimLinkBus::packets_of(const Sending& sending, const CarriedSample& sample,
+                                                SamplePiece piece) {
+  if (sending.purpose != LinkPurpose::acknowledgements)
+    return router::packets_of(sample.bytes, piece);
+  return {router::packet_without_origin(sample.bytes)};
+}
+
 std::optional<std::uint64_t> SimLinkBus::send(FlowId flow, const CarriedSample& sample,
                                               SamplePiece piece) {
   const auto found = sending_.find(flow);
@@ -231,7 +238,7 @@ std::optional<std::uint64_t> SimLinkBus::send(FlowId flow, const CarriedSample& 
     network_.core.observer->on_sent(
         {*cargo.from, network_.core.now, number, cargo.written, bytes_sent});
   }
-  const auto packets = router::packets_of(sample.bytes, piece);
+  const auto packets = packets_of(sending, sample, piece);
   const std::uint8_t dscp = host_.rules().dscp(sending.traffic_class);
   const auto stop = packets.size() == 1 ? rider() : nullptr;
   if (stop) stop_sent_ = network_.core.now;

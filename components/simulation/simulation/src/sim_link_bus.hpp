@@ -97,6 +97,9 @@ class SimLinkBus final : public LinkBus {
     FlowId id;
     std::vector<const SimProcess::Topic*> writers;
   };
+  [[nodiscard]] static std::vector<std::size_t> packets_of(const Sending& sending,
+                                                           const CarriedSample& sample,
+                                                           SamplePiece piece);
   /// What rides in a packet with room; null when nothing fresh was said.
   [[nodiscard]] std::shared_ptr<const StopValue> rider() const;
   /// Sends the stop's value alone, unless it rode in a packet since `period`.

@@ -18,8 +18,11 @@ inline constexpr Duration late_after = std::chrono::milliseconds(250);
 
 /// From the first thing to report to the acknowledgement that reports it.
 inline constexpr Duration acknowledgement_delay = std::chrono::milliseconds(20);
-/// Between two acknowledgements: at least, and at most when nothing is received.
+/// Between two acknowledgements, at least: when something came of a class whose repairs wait for
+/// them, and else.
 inline constexpr Duration acknowledgement_period = std::chrono::milliseconds(50);
+inline constexpr Duration relaxed_period = std::chrono::milliseconds(100);
+/// The same at most: when nothing is received.
 inline constexpr Duration acknowledgement_idle = std::chrono::seconds(1);
 
 /// The longest wait between two repairs: a link that is back is found within it. [s]

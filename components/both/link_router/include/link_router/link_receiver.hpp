@@ -110,7 +110,8 @@ class LinkReceiver {
                                          Time now);
   [[nodiscard]] static SourceMemory& memory_of(Peer& peer, const std::string& stream,
                                                SourceId source);
-  static void ask_for_acknowledgement(Peer& peer, Time now);
+  /// Not sooner than `period` after the last one.
+  static void ask_for_acknowledgement(Peer& peer, Time now, Duration period);
   [[nodiscard]] static LinkAcknowledgement make_acknowledgement(Peer& peer, Time now);
   /// Whether the peer should hear soon that pieces are still missing.
   [[nodiscard]] static bool misses_pieces(const Peer& peer, Time now);

@@ -279,7 +279,9 @@ std::optional<std::uint64_t> FastDdsLinkBus::send(FlowId flow, const CarriedSamp
                                                   SamplePiece piece) {
   const auto found = sending_.find(flow);
   if (found == sending_.end() || !found->second.writer) return std::nullopt;
-  return found->second.writer->write(sample, piece);
+  FlowWriter& writer = *found->second.writer;
+  const bool is_own = purpose_of(found->second.flow.topic) == LinkPurpose::acknowledgements;
+  return is_own ? writer.write_own(sample) : writer.write(sample, piece);
 }
 
 std::size_t FastDdsLinkBus::largest_piece() const {

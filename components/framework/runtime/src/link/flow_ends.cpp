@@ -106,6 +106,13 @@ std::optional<std::uint64_t> FlowWriter::write(const CarriedSample& sample, Samp
   return params.sample_identity().sequence_number().to64long();
 }
 
+std::optional<std::uint64_t> FlowWriter::write_own(const CarriedSample& sample) {
+  OutgoingSample outgoing(sample.content.get());
+  rtps::WriteParams params;
+  if (!writer_->write(static_cast<CarriedMessage*>(&outgoing), params)) return std::nullopt;
+  return params.sample_identity().sequence_number().to64long();
+}
+
 rtps::EntityId_t FlowWriter::entity() const { return writer_->guid().entityId; }
 
 void FlowWriter::on_publication_matched(Writer*, const dds::PublicationMatchedStatus& status) {

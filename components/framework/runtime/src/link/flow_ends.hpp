@@ -74,6 +74,8 @@ class FlowWriter : private eprosima::fastdds::dds::DataWriterListener {
   /// The number that Fast DDS gave it; nothing when it refused. A piece needs encoded content.
   [[nodiscard]] std::optional<std::uint64_t> write(const CarriedSample& sample,
                                                    SamplePiece piece = {});
+  /// Without origin and time of sending: of nobody's but the router's own.
+  [[nodiscard]] std::optional<std::uint64_t> write_own(const CarriedSample& sample);
   [[nodiscard]] eprosima::fastrtps::rtps::EntityId_t entity() const;
 
  private:

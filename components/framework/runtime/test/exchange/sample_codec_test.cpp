@@ -54,7 +54,9 @@ TEST(SampleCodec, WhatComesOutIsASerialisedSampleThatTellsItsPadding) {
 TEST(SampleCodec, AnotherBaseIsNoticed) {
   SampleCodec sut;
   const Bytes compressed = sut.compress(sample(1), sample(2));
-  EXPECT_FALSE(sut.restore(compressed, sample(3)));
+  Bytes other = sample(2);
+  other[20] ^= 1;  // of what both have
+  EXPECT_FALSE(sut.restore(compressed, other));
   EXPECT_FALSE(sut.restore(compressed, {}));
   EXPECT_EQ(sut.restore(compressed, sample(2)), sample(1)) << "and nothing is left of the attempt";
 }

@@ -108,7 +108,7 @@ TEST_F(NetworkMonitorTest, ReportsALivingLink) {
 TEST_F(NetworkMonitorTest, TellsWhatItsProbesCost) {
   const auto samples = run(10);
   const std::uint64_t between = samples[9].probe_bytes() - samples[3].probe_bytes();
-  EXPECT_EQ(between, 6 * 20 * (28U + 56U) / 6) << "one each 0.3 s of 56 bytes and headers";
+  EXPECT_EQ(between, 20 * (64U + 28U)) << "one each 0.3 s, with headers";
 }
 
 TEST_F(NetworkMonitorTest, ReportsADeadLinkAsHundredPercentLost) {
