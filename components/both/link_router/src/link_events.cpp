@@ -2,8 +2,11 @@
 #include "link_events.hpp"
 
 #include <algorithm>
+#include <string>
+#include <utility>
 #include <variant>
 
+#include "foundation/hash.hpp"
 #include "router_messages.hpp"
 
 namespace tocsin {
@@ -12,6 +15,13 @@ void LinkEvents::take(Instant at) {
   while (const auto event = link_.take()) {
     std::visit([this, at](const auto& what) { on(what, at); }, *event);
   }
+  send_merged(at);
+}
+
+Time LinkEvents::deadline() const {
+  Time next = never;
+  for (const auto& entry : merging_) next = std::min(next, entry.second.merger.deadline());
+  return next;
 }
 
 template <class Call>
@@ -26,10 +36,44 @@ void LinkEvents::on(const link_event::HostFlow& event, Instant at) {
     const Flow sent = on_link(event.what, rule);
     flow.on_link = link_.open(sent, rule.traffic_class);
     flow.rule = stream_rule(sent, rule);
-    if (rule.max_rate_hz > 0) limits_.emplace(event.flow, seconds(1 / rule.max_rate_hz));
+    if (rule.max_rate_hz > 0) limit(flow, rule, at);
   }
   const LocalFlow& known = local_.insert_or_assign(event.flow, flow).first->second;
   each([&](LinkService& one) { one.on_local_flow(known, at); });
+}
+
+void LinkEvents::limit(const LocalFlow& flow, const TrafficRule& rule, Instant at) {
+  const Duration interval = seconds(1 / rule.max_rate_hz);
+  const bool is_state = flow.what.transient_local || flow.is_stored || flow.is_logged;
+  if (is_state || flow.what.type != type_info<TransformMerger::Message>().name) {
+    limits_.emplace(flow.on_host, interval);
+    return;
+  }
+  // Another one in each life of this router, whose sequence begins anew.
+  const std::uint64_t source = hash_of(flow.rule.name + "|" + std::to_string(at.wall_ns));
+  merging_.emplace(flow.on_host, Merging{TransformMerger(interval), source});
+}
+
+void LinkEvents::merge(FlowId flow, const CarriedSample& sample) {
+  const auto message = link_.unpack(type_info<TransformMerger::Message>(), sample);
+  if (message == nullptr) return;
+  merging_.at(flow).merger.add(*static_cast<const TransformMerger::Message*>(message.get()),
+                               sample.sent_wall_ns);
+}
+
+void LinkEvents::send_merged(Instant at) {
+  for (auto& [id, merging] : merging_) {
+    auto merged = merging.merger.take(at.now);
+    if (!merged) continue;
+    CarriedSample sample =
+        link_.pack(type_info<TransformMerger::Message>(),
+                   std::make_shared<TransformMerger::Message>(std::move(merged->message)));
+    sample.source = merging.source;
+    sample.sequence = ++merging.sequence;
+    sample.sent_wall_ns = merged->sent_wall_ns;
+    const LocalFlow& flow = local_.at(id);
+    each([&](LinkService& one) { one.on_local(flow, sample, true, at); });
+  }
 }
 
 void LinkEvents::on(const link_event::HostFlowGone& event, Instant at) {
@@ -40,14 +84,18 @@ void LinkEvents::on(const link_event::HostFlowGone& event, Instant at) {
   each([&](LinkService& one) { one.on_local_flow_gone(flow, at); });
   if (flow.on_link) link_.close(*flow.on_link);
   limits_.erase(event.flow);
+  merging_.erase(event.flow);
   local_.erase(found);
 }
 
 void LinkEvents::on(const link_event::HostSample& event, Instant at) {
   const auto found = local_.find(event.flow);
   if (found == local_.end()) return;
+  const bool is_merged = merging_.count(event.flow) != 0;
+  if (is_merged) merge(event.flow, event.sample);
   const auto limits = limits_.find(event.flow);
-  const bool passes = limits == limits_.end() || limits->second.pass(event.sample.source, at.now);
+  const bool passes =
+      !is_merged && (limits == limits_.end() || limits->second.pass(event.sample.source, at.now));
   const bool is_live = found->second.on_link && passes;
   each([&](LinkService& one) { one.on_local(found->second, event.sample, is_live, at); });
 }

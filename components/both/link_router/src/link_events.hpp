@@ -8,6 +8,7 @@
 
 #include "link_router/compressed_samples.hpp"
 #include "link_service.hpp"
+#include "transform_merger.hpp"
 
 namespace tocsin {
 
@@ -20,8 +21,10 @@ class LinkEvents {
   /// All outlive it.
   LinkEvents(LinkBus& link, router::LinkReceiver& receiver, const Services& services)
       : link_(link), receiver_(receiver), services_(services) {}
-  /// All that has happened since the last call.
+  /// All that has happened since the last call, and what has been held back and is due.
   void take(Instant at);
+  /// When to call take() though nothing happens.
+  [[nodiscard]] Time deadline() const;
 
   [[nodiscard]] const LinkPeers& peers() const { return peers_; }
   [[nodiscard]] const std::map<FlowId, LocalFlow>& local() const { return local_; }
@@ -30,6 +33,10 @@ class LinkEvents {
  private:
   template <class Call>
   void each(const Call& call);
+  void limit(const LocalFlow& flow, const TrafficRule& rule, Instant at);
+  /// A sample of a flow that is merged waits.
+  void merge(FlowId flow, const CarriedSample& sample);
+  void send_merged(Instant at);
   void on(const link_event::HostFlow& event, Instant at);
   void on(const link_event::HostFlowGone& event, Instant at);
   void on(const link_event::HostSample& event, Instant at);
@@ -53,6 +60,13 @@ class LinkEvents {
   std::map<FlowId, LocalFlow> local_;
   std::map<FlowId, RemoteFlow> remote_;
   std::map<FlowId, WriterLimits> limits_;  ///< of flows of the host with `max_rate_hz`
+  /// The transforms of a flow with `max_rate_hz`, as one source.
+  struct Merging {
+    TransformMerger merger;
+    std::uint64_t source;
+    std::uint64_t sequence = 0;
+  };
+  std::map<FlowId, Merging> merging_;
 };
 
 }  // namespace tocsin

@@ -75,7 +75,7 @@ Time LinkRouterComponent::Router::tick(Instant at) {
   for (const auto& one : services_) one->send(at);
   for (const auto& one : services_) one->follow(at);
   for (const auto& one : services_) one->finish(at);
-  Time next = never;
+  Time next = events_.deadline();
   for (const auto& one : services_) next = std::min(next, one->deadline(at.now));
   return next;
 }

@@ -36,6 +36,40 @@ TEST_F(LinkRouterTest, AClassLimitsRateLifespanAndDepthOfAForeignTopic) {
   EXPECT_NEAR(static_cast<double>(script_.sent_on(on_link)), 10, 1);
 }
 
+TEST_F(LinkRouterTest, TransformsCrossAsOneMessageEachInterval) {
+  using Transforms = tf2_msgs::msg::TFMessage;
+  const TemporaryFolder folder;
+  script_.rules = TrafficRules(
+      folder.write("traffic.yaml", "uxv: {high: {topics: ['*'], max_rate_hz: 10, depth: 10}}\n"),
+      Role::uxv);
+  Flow tf = flow("tf");
+  tf.type = type_info<Transforms>().name;
+  script_.happen(link_event::HostFlow{host_flow, tf});
+  run(0);
+  const FlowId on_link = script_.opened_for("tf");
+  for (int i = 0; i < 50; ++i) {
+    for (const char* frame : {"base", "arm", "hand"}) {
+      auto message = std::make_shared<Transforms>();
+      message->transforms().emplace_back().child_frame_id(frame);
+      CarriedSample sample;
+      sample.content = message;
+      sample.source = 9;
+      sample.sequence = static_cast<std::uint64_t>(3 * i + 1);
+      sample.sent_wall_ns = host_->bus.wall_ns(host_->bus.now());
+      script_.happen(link_event::HostSample{host_flow, sample, host_->bus.now()});
+    }
+    run(0.02);
+  }
+  run(0.2);
+  const std::size_t sent = script_.sent_on(on_link);
+  EXPECT_NEAR(static_cast<double>(sent), 11, 1);
+  const CarriedSample& last = script_.sent.back().sample;
+  const auto frames = static_cast<const Transforms*>(last.content.get())->transforms().size();
+  EXPECT_EQ(frames, 3U) << "also when no message follows";
+  EXPECT_EQ(last.sequence, sent);
+  EXPECT_NE(last.source, 9U);
+}
+
 TEST_F(LinkRouterTest, ALargeSampleGoesInPiecesThatThePeersRouterPutsTogether) {
   const FlowId on_link = begin("heartbeat");
   write(1, host_flow, 2500);
