@@ -17,7 +17,7 @@ constexpr Duration pieces_missed_for = std::chrono::milliseconds(150);
 constexpr std::size_t most_partial = 8;
 /// A stream is in the acknowledgements of this time after something of it was received, so that one
 /// of them arrives.
-constexpr Duration repeated_for = std::chrono::milliseconds(150);
+constexpr Duration repeated_for = std::chrono::milliseconds(250);
 /// After so long without an acknowledgement all streams are in the next one.
 constexpr Duration all_after = std::chrono::milliseconds(500);
 /// What is not older than this was sent a moment ago.

@@ -168,7 +168,29 @@ TEST_F(LinkReceiverTest, AcknowledgementComesSoonButNotTooOften) {
   const Time first = now;
   now += ms;
   (void)arrive(2, 2);
+  EXPECT_EQ(sut.deadline(), first + relaxed_period) << "no repair waits for it";
+  StreamRule urgent = rule();
+  urgent.repaired = true;
+  sut.on_stream("vehicle", location, urgent);
+  (void)arrive(3, 3);
   EXPECT_EQ(sut.deadline(), first + acknowledgement_period);
+}
+
+TEST_F(LinkReceiverTest, AStreamIsInTheAcknowledgementsOfAMomentSoThatOneArrives) {
+  const StreamId other = location + 1;
+  sut.on_stream("vehicle", other, rule());
+  const auto keep_awake = [&] { (void)sut.on_arrived("vehicle", {other, 1, {8, 1, now}}, now); };
+  (void)arrive(1, 1);
+  const Time arrived = now;
+  std::size_t named = 0;
+  while (now < arrived + 500 * ms) {
+    keep_awake();
+    const LinkAcknowledgement acknowledgement = next_acknowledgement();
+    const bool names = acknowledgement.streams.front().stream == location;
+    EXPECT_EQ(names, now - arrived <= 250 * ms) << to_seconds(now - arrived);
+    named += names ? 1 : 0;
+  }
+  EXPECT_GE(named, 2U);
 }
 
 TEST_F(LinkReceiverTest, RepeatsAnAcknowledgementAndThenSendsOnlyOneASecond) {

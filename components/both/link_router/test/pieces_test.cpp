@@ -18,7 +18,7 @@ class Pieces : public ::testing::Test {
     link.add(1, rule_of(TrafficClass::low));
     link.add(2, rule_of(TrafficClass::normal));
     link.offer(2, 1);
-    link.run(100 * ms);
+    link.run(200 * ms);  // no acknowledgement has just been sent
     link.sent.clear();
   }
   /// The radio loses these pieces of a sample, each so many times.

@@ -65,8 +65,9 @@ void RouterRadio::send(std::size_t side, const router::LinkAcknowledgement& ackn
   const std::size_t bytes =
       empty_acknowledgement_bytes + stream_acknowledgement_bytes * acknowledgement.streams.size();
   ++acknowledgements_;
-  acknowledgement_bytes_ += static_cast<double>(router::wire_cost(bytes).bytes);
-  send({acknowledgement, 1 - side, TrafficClass::critical, 1}, router::packets_of(bytes), now);
+  const std::size_t packet = router::packet_without_origin(bytes);
+  acknowledgement_bytes_ += static_cast<double>(packet);
+  send({acknowledgement, 1 - side, TrafficClass::critical, 1}, {packet}, now);
 }
 
 void RouterRadio::serve(Time now) {
