@@ -202,14 +202,15 @@ bool DeliveryLog::is_under_way(PeerIndex peer) const {
 }
 
 std::size_t DeliveryLog::count_under_way(PeerIndex peer, std::size_t packets) const {
-  std::size_t count = 0;
+  std::size_t divided = 0;
+  std::size_t whole = 0;
   for (const RecordPtr& record : under_way_) {
     if (record->cost.packets < packets || !record->sample->piece.is_last()) continue;
     for (const Copy& copy : record->copies) {
-      if (copy.peer == peer && !copy.settled) ++count;
+      if (copy.peer == peer && !copy.settled) ++(record->sample->whole ? divided : whole);
     }
   }
-  return count;
+  return divided + (whole > 0 ? whole - 1 : 0);
 }
 
 }  // namespace tocsin::router

@@ -11,7 +11,7 @@ namespace {
 constexpr double delay_weight = 1.0 / 8;
 constexpr double deviation_weight = 1.0 / 4;
 constexpr double loss_weight = 1.0 / 16;
-constexpr double capacity_falls = 0.5;  ///< weight of a smaller measurement
+constexpr double capacity_falls = 0.9;  ///< weight of a smaller measurement
 constexpr double capacity_rises = 0.2;
 /// A measured capacity is believed within these limits: one sample proves no more.
 constexpr double least_capacity_bytes_per_s = 4000;

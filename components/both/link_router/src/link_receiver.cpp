@@ -107,6 +107,9 @@ std::optional<std::vector<std::shared_ptr<const void>>> LinkReceiver::on_piece(
   if (std::count(partial->there.begin(), partial->there.end(), false) == 0) {
     auto pieces = std::move(partial->pieces);
     stream.partial.erase(partial);
+    // The next bulk waits for it.
+    if (pieces.size() >= bulk_packets)
+      ask_for_acknowledgement(known->second, now, acknowledgement_period);
     return pieces;
   }
   ask_for_acknowledgement(known->second, now, relaxed_period);

@@ -6,7 +6,9 @@ namespace tocsin::router {
 namespace {
 
 TEST(Adaptation, BulkWaitsUntilTheRadioHasSentTheOneBefore) {
-  LinkPair link;
+  LinkRouterParams params;
+  params.bulk_under_way = 2;
+  LinkPair link(params);
   StreamRule camera = rule_of(TrafficClass::low);
   link.add(1, camera);
   link.add(2, rule_of(TrafficClass::critical));
@@ -23,6 +25,35 @@ TEST(Adaptation, BulkWaitsUntilTheRadioHasSentTheOneBefore) {
   EXPECT_EQ(link.sent.back().stream, 2U);
   link.run(40 * ms);
   EXPECT_EQ(link.sent.back().sample.origin.sequence, 101U);
+}
+
+TEST(Adaptation, BulkWaitsForTheAcknowledgementOfTheOneBefore) {
+  LinkPair link;
+  link.add(1, rule_of(TrafficClass::low));
+  learn_capacity(link, 1);
+  const std::size_t pieces = count_pieces(picture_bytes, largest_piece);
+  link.offer(1, 100, picture_bytes);
+  link.run(static_cast<int>(pieces) * ms + 5 * ms);
+  ASSERT_EQ(link.delivered[1].back(), 100U);
+  link.offer(1, 101, picture_bytes);
+  link.run(10 * ms);
+  EXPECT_EQ(link.sent.back().sample.origin.sequence, 100U) << "nothing has named it yet";
+  link.run(60 * ms);
+  EXPECT_EQ(link.sent.back().sample.origin.sequence, 101U);
+}
+
+TEST(Adaptation, OfThoseThatGoWholeTwoMayBeUnderWay) {
+  LinkPair link;
+  link.add(1, rule_of(TrafficClass::low));
+  learn_capacity(link, 1);
+  link.sender.set_largest_piece(0);
+  link.loses = [](const Transmission& one) { return one.stream == 1; };
+  const std::size_t before = link.count_sent(1);
+  for (std::uint64_t i = 100; i < 103; ++i) {
+    link.offer(1, i, picture_bytes);
+    link.run(60 * ms);
+  }
+  EXPECT_EQ(link.count_sent(1), before + 2);
 }
 
 TEST(Adaptation, AnAdaptiveSourceHoldsWhileItsLastSampleWaits) {

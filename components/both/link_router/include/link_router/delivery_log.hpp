@@ -112,7 +112,7 @@ class DeliveryLog {
   /// Whether anything is under way to the peer.
   [[nodiscard]] bool is_under_way(PeerIndex peer) const;
   /// Samples of at least so many packets that the peer has not acknowledged yet; of pieces the last
-  /// one counts.
+  /// one counts. One that goes whole does not count, since its loss is not known for long.
   [[nodiscard]] std::size_t count_under_way(PeerIndex peer, std::size_t packets) const;
 
  private:

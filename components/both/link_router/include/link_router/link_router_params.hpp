@@ -8,7 +8,7 @@ namespace tocsin::router {
 struct LinkRouterParams {
   int queue_bytes = 131072;
   double bulk_backlog_s = 0.01;
-  int bulk_under_way = 2;
+  int bulk_under_way = 1;
   double hold_backlog_s = 0.25;
   double repair_first_s = 0.07;
   double repair_backoff = 1.5;
