@@ -11,6 +11,8 @@ constexpr std::size_t least_gain = 16;
 constexpr std::size_t least_gain_part = 16;
 /// Samples until a source is tried again that gained less.
 constexpr unsigned rest_samples = 64;
+/// Samples are of about one size when they differ by at most one part of so many.
+constexpr std::size_t alike_part = 8;
 
 }  // namespace
 
@@ -27,7 +29,10 @@ Sample CompressedSource::send(const Sample& plain, const Compress& compress) {
     return plain;
   }
   sent_.push_back(plain.origin.sequence);
-  if (sent_.size() > kept_bases) sent_.pop_front();
+  if (sent_.size() > kept_bases) {
+    bases_.erase(sent_.front());
+    sent_.pop_front();
+  }
   Sample sent = *compressed;
   sent.origin = plain.origin;
   return sent;
@@ -41,24 +46,27 @@ bool CompressedSource::gains(const Sample& compressed, const Sample& plain, bool
 }
 
 const Sample* CompressedSource::base_of(const Sample& plain) const {
-  if (!base_) return nullptr;
-  const std::uint64_t base = base_->origin.sequence;
-  const bool is_kept = std::find(sent_.begin(), sent_.end(), base) != sent_.end();
   const std::uint64_t sequence = plain.origin.sequence;
-  return is_kept && base < sequence && sequence - base <= SampleCoding::farthest ? &*base_
-                                                                                 : nullptr;
+  const Sample* newest = nullptr;
+  for (auto it = bases_.rbegin(); it != bases_.rend(); ++it) {
+    const Sample& base = it->second;
+    if (it->first >= sequence || sequence - it->first > SampleCoding::farthest) continue;
+    const std::size_t larger = std::max(base.bytes, plain.bytes);
+    if (larger - std::min(base.bytes, plain.bytes) <= larger / alike_part) return &base;
+    if (newest == nullptr) newest = &base;
+  }
+  return newest;
 }
 
 void CompressedSource::on_delivered(const Sample& plain) {
   const std::uint64_t sequence = plain.origin.sequence;
   const bool is_kept = std::find(sent_.begin(), sent_.end(), sequence) != sent_.end();
-  if (!is_kept || plain.bytes > largest_base) return;
-  if (!base_ || base_->origin.sequence < sequence) base_ = plain;
+  if (is_kept && plain.bytes <= largest_base) bases_[sequence] = plain;
 }
 
 void CompressedSource::on_new_reader() {
   sent_.clear();
-  base_.reset();
+  bases_.clear();
 }
 
 }  // namespace tocsin::router

@@ -50,6 +50,18 @@ TEST(CompressedSource, TheNewestThatAllReadersHaveIsTheBase) {
   EXPECT_EQ(next.origin.sequence, 5U);
 }
 
+TEST(CompressedSource, OfAWriterOfSeveralKindsOneOfItsSizeIsTheBase) {
+  CompressedSource sut;
+  const std::size_t sizes[] = {2000, 100, 700, 2100, 110, 720};
+  for (std::uint64_t i = 1; i <= 6; ++i) {
+    (void)sut.send(sample(i, sizes[i - 1]), halve);
+    sut.on_delivered(sample(i, sizes[i - 1]));
+  }
+  EXPECT_EQ(sut.send(sample(7, 2050), halve).coding.base, 3U) << "the newer of two";
+  EXPECT_EQ(sut.send(sample(8, 690), halve).coding.base, 2U);
+  EXPECT_EQ(sut.send(sample(9, 400), halve).coding.base, 3U) << "none is: the newest";
+}
+
 TEST(CompressedSource, ABaseThatIsNotRenewedIsGivenUp) {
   CompressedSource sut;
   (void)sut.send(sample(1), halve);

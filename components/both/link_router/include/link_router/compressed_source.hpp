@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <map>
 #include <optional>
 
 #include "link_router/transmission.hpp"
@@ -25,9 +26,10 @@ using Compress = std::function<std::optional<Sample>(const Sample& plain, const 
 /// One source of a compressed stream, as its sender knows it: which sample all readers have, and
 /// whether compression gains anything.
 ///
-/// The base of a sample is the newest that was acknowledged by every reader, out of the last
-/// `kept_bases` that were sent compressed. Without one it is compressed by itself; so a receiver
-/// that has lost a base, or has a forged one, is without samples for at most as many. Pure.
+/// The base of a sample was acknowledged by every reader, and is one of the last `kept_bases` that
+/// were sent compressed: the newest of about its size, as a writer may send messages of several
+/// kinds in turn, else the newest. Without one it is compressed by itself; so a receiver that has
+/// lost a base, or has a forged one, is without samples for at most as many. Pure.
 class CompressedSource {
  public:
   /// A sample on its way for the first time, as it is best sent: compressed, or itself.
@@ -41,9 +43,9 @@ class CompressedSource {
   [[nodiscard]] const Sample* base_of(const Sample& plain) const;
   [[nodiscard]] static bool gains(const Sample& compressed, const Sample& plain, bool has_base);
 
-  std::deque<std::uint64_t> sent_;  ///< sequence numbers of the last compressed ones, rising
-  std::optional<Sample> base_;
-  unsigned rest_ = 0;  ///< samples that go as they are before it is tried again
+  std::deque<std::uint64_t> sent_;         ///< sequence numbers of the last compressed ones, rising
+  std::map<std::uint64_t, Sample> bases_;  ///< of them, what all readers have
+  unsigned rest_ = 0;                      ///< samples that go as they are before it is tried again
 };
 
 }  // namespace tocsin::router
