@@ -18,7 +18,7 @@ constexpr std::size_t alike_part = 8;
 
 Sample CompressedSource::send(const Sample& plain, const Compress& compress) {
   if (plain.bytes > largest_compressed) return plain;
-  if (rest_ > 0) {
+  if (rest_ > 0 && plain.bytes <= resting_bytes_) {
     --rest_;
     return plain;
   }
@@ -26,6 +26,7 @@ Sample CompressedSource::send(const Sample& plain, const Compress& compress) {
   const auto compressed = compress(plain, base);
   if (!compressed || !gains(*compressed, plain, base != nullptr)) {
     rest_ = rest_samples;
+    resting_bytes_ = plain.bytes;
     return plain;
   }
   sent_.push_back(plain.origin.sequence);

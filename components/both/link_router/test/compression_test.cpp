@@ -106,6 +106,15 @@ TEST(CompressedSource, WhatGainsNothingGoesAsItIsAndIsTriedAgainAfterAWhile) {
   EXPECT_EQ(tries, 2);
 }
 
+TEST(CompressedSource, ThatSmallOnesGainNothingKeepsNoLargerOneFromIt) {
+  CompressedSource sut;
+  (void)sut.send(sample(1, 100), gain_nothing);
+  sut.on_delivered(sample(1, 100));
+  EXPECT_FALSE(sut.send(sample(2, 100), gain_nothing).coding.is_compressed);
+  EXPECT_FALSE(sut.send(sample(3, 90), halve).coding.is_compressed);
+  EXPECT_TRUE(sut.send(sample(4, 2000), halve).coding.is_compressed);
+}
+
 TEST(CompressedSource, OfALargeSampleOnlyAGainCounts) {
   CompressedSource sut;
   EXPECT_FALSE(sut.send(sample(1, largest_base + 1), gain_nothing).coding.is_compressed);

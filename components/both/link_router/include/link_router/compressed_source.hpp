@@ -45,7 +45,8 @@ class CompressedSource {
 
   std::deque<std::uint64_t> sent_;         ///< sequence numbers of the last compressed ones, rising
   std::map<std::uint64_t, Sample> bases_;  ///< of them, what all readers have
-  unsigned rest_ = 0;                      ///< samples that go as they are before it is tried again
+  std::size_t resting_bytes_ = 0;          ///< [B] samples no larger than this go as they are,
+  unsigned rest_ = 0;                      ///< so many, before it is tried again
 };
 
 }  // namespace tocsin::router
