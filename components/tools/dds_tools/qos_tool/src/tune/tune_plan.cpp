@@ -95,11 +95,12 @@ std::map<std::string, std::vector<std::pair<std::string, std::string>>> settings
   return found;
 }
 
-/// Topics that go to a class, and those of them that are adaptive.
+/// Topics that go to a class, and those of them that are adaptive, on demand or compressed.
 struct ClassLists {
   std::vector<std::string> topics;
   std::vector<std::string> adaptive;
   std::vector<std::string> on_demand;
+  std::vector<std::string> compress;
 };
 
 /// The part of a traffic file that moves these topics of a role to their classes.
@@ -117,12 +118,14 @@ std::string role_text(const TunePlan& plan, const std::string& role,
     classes[wanted].topics.push_back(topic);
     if (rules.of(topic).adaptive) classes[wanted].adaptive.push_back(topic);
     if (rules.of(topic).on_demand) classes[wanted].on_demand.push_back(topic);
+    if (rules.of(topic).compressed) classes[wanted].compress.push_back(topic);
   }
   std::string text = role + ":\n";
   for (const auto& [name, lists] : classes) {
     text += "  " + name + ":\n    topics: [" + joined(lists.topics) + "]\n";
     if (!lists.adaptive.empty()) text += "    adaptive: [" + joined(lists.adaptive) + "]\n";
     if (!lists.on_demand.empty()) text += "    on_demand: [" + joined(lists.on_demand) + "]\n";
+    if (!lists.compress.empty()) text += "    compress: [" + joined(lists.compress) + "]\n";
   }
   return text;
 }

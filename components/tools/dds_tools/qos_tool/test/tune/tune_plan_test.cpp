@@ -36,7 +36,7 @@ class TunePlanTest : public ::testing::Test {
     folder_.write("qos.yaml", "stream: {depth: 1, lifespan_s: 2}\nstate: {depth: 1}\n");
     folder_.write("traffic.yaml",
                   "uxv:\n  high: {topics: [location]}\n"
-                  "  low: {topics: [camera], adaptive: [camera]}\ngcs: {}\n");
+                  "  low: {topics: [camera], adaptive: [camera], compress: ['*']}\ngcs: {}\n");
   }
   TunePlan plan(const std::string& text = toy) {
     return read_tune_plan(folder_.write("tune.yaml", text), folder_.path());
@@ -76,13 +76,14 @@ TEST_F(TunePlanTest, TheQosFileOfACandidateIsTheShippedOneButForWhatIsSwept) {
   EXPECT_EQ(profiles.all().count("state"), 1U);
 }
 
-TEST_F(TunePlanTest, TheTrafficFileMovesATopicWithItsAdaptation) {
+TEST_F(TunePlanTest, TheTrafficFileMovesATopicWithItsAdaptationAndCompression) {
   const TunePlan sut = plan();
   const auto all = candidates_of(sut);
   EXPECT_EQ(traffic_text(sut, all[0]), "");
   const TrafficRules rules(folder_.write("c2.yaml", traffic_text(sut, all[2])), Role::uxv);
   EXPECT_EQ(rules.of("camera").traffic_class, TrafficClass::high);
   EXPECT_TRUE(rules.of("camera").adaptive);
+  EXPECT_TRUE(rules.of("camera").compressed);
   EXPECT_EQ(rules.of("location").traffic_class, TrafficClass::high);
 }
 
