@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -35,6 +38,29 @@ std::vector<std::string> digests_in(const std::string& text) {
     digests.push_back(text.substr(at + word.size(), 16));
   }
   return digests;
+}
+
+/// [m/s] of the vehicle over the two locations before each press of a bumper.
+std::vector<double> speeds_at_presses(const std::string& bumper, const std::string& location) {
+  const auto numbers = [](const std::string& csv, const std::string& name) {
+    std::vector<double> all;
+    for (const std::string& word : column(csv, name)) all.push_back(std::stod(word));
+    return all;
+  };
+  const auto at = numbers(location, "receive_s");
+  const auto x = numbers(location, "pose.pose.position.x");
+  const auto y = numbers(location, "pose.pose.position.y");
+  const auto pressed = numbers(bumper, "state");
+  const auto pressed_at = numbers(bumper, "receive_s");
+  std::vector<double> speeds;
+  for (std::size_t i = 0; i < pressed.size(); ++i) {
+    if (pressed[i] == 0) continue;
+    const auto after = std::upper_bound(at.begin(), at.end(), pressed_at[i]) - at.begin();
+    const auto last = static_cast<std::size_t>(after) - 1;
+    speeds.push_back(std::hypot(x.at(last) - x.at(last - 1), y.at(last) - y.at(last - 1)) /
+                     (at[last] - at[last - 1]));
+  }
+  return speeds;
 }
 
 class SimulationTest : public ::testing::Test {
@@ -96,7 +122,20 @@ TEST_F(SimulationTest, TheVehicleDrivesPastWhatNoMapShowsAndKnowsWhereItIs) {
   EXPECT_THAT(read("errors"), Not(HasSubstr("[localiser] lost")));
   const std::string messages = recorded_messages(folder_ + "/1/uxv");
   EXPECT_NE(messages.find(",events/robot_state,"), std::string::npos);
-  EXPECT_EQ(messages.find(",events/bumper,"), std::string::npos) << "it bumps into nobody";
+  const auto speeds =
+      speeds_at_presses(recorded(1, "uxv", "events/bumper"), recorded(1, "uxv", "location"));
+  for (const double speed_mps : speeds) {
+    EXPECT_LT(speed_mps, 0.05) << "it bumps into nobody, whoever walks into it while it stands";
+  }
+}
+
+TEST(SpeedsAtPresses, AreThoseOfTheTwoLocationsBefore) {
+  const std::string bumper = "receive_s,state\n11,1\n11.5,0\n13.1,1\n";
+  const std::string location =
+      "receive_s,pose.pose.position.x,pose.pose.position.y\n9,0,0\n10,3,4\n12,3,4\n13,3,4.5\n14,9,"
+      "9\n";
+  EXPECT_THAT(speeds_at_presses(bumper, location), ::testing::ElementsAre(5, 0.5));
+  EXPECT_THAT(speeds_at_presses("", location), ::testing::IsEmpty());
 }
 
 TEST_F(SimulationTest, TheVehicleOutlivesFaultsOfItsLaserItsWheelsAndAHandThatCarriesItOff) {
