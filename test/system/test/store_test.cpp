@@ -156,7 +156,8 @@ TEST_F(StoreTest, AnOutageWithKilledRoutersLosesNothingAndGivesEachSampleOnceAnd
   EXPECT_LE(twice().size(), meetings) << ::testing::PrintToString(twice());
   const auto backfilled = history_->filled.all();
   EXPECT_GT(backfilled.size(), 60U) << "at least what was written in half of the outage";
-  EXPECT_TRUE(std::is_sorted(backfilled.begin(), backfilled.end())) << "in the order of the writer";
+  EXPECT_TRUE(std::is_sorted(backfilled.begin(), backfilled.end()))
+      << "in the order of the writer: " << ::testing::PrintToString(backfilled);
 }
 
 TEST_F(StoreTest, ReadersThatFindARestartedRouterLateMissNothingThatCrossed) {
