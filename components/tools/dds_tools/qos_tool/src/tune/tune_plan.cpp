@@ -101,6 +101,20 @@ struct ClassLists {
   std::vector<std::string> adaptive;
   std::vector<std::string> on_demand;
   std::vector<std::string> compress;
+
+  void add(const std::string& topic, const TrafficRule& rule) {
+    topics.push_back(topic);
+    if (rule.adaptive) adaptive.push_back(topic);
+    if (rule.on_demand) on_demand.push_back(topic);
+    if (rule.compressed) compress.push_back(topic);
+  }
+  [[nodiscard]] std::string text() const {
+    std::string text = "    topics: [" + joined(topics) + "]\n";
+    if (!adaptive.empty()) text += "    adaptive: [" + joined(adaptive) + "]\n";
+    if (!on_demand.empty()) text += "    on_demand: [" + joined(on_demand) + "]\n";
+    if (!compress.empty()) text += "    compress: [" + joined(compress) + "]\n";
+    return text;
+  }
 };
 
 /// The part of a traffic file that moves these topics of a role to their classes.
@@ -115,18 +129,10 @@ std::string role_text(const TunePlan& plan, const std::string& role,
       throw ConfigError("sweep.class." + role + "." + topic + ": '" + wanted +
                         "' is none of critical, high, normal, low");
     }
-    classes[wanted].topics.push_back(topic);
-    if (rules.of(topic).adaptive) classes[wanted].adaptive.push_back(topic);
-    if (rules.of(topic).on_demand) classes[wanted].on_demand.push_back(topic);
-    if (rules.of(topic).compressed) classes[wanted].compress.push_back(topic);
+    classes[wanted].add(topic, rules.of(topic));
   }
   std::string text = role + ":\n";
-  for (const auto& [name, lists] : classes) {
-    text += "  " + name + ":\n    topics: [" + joined(lists.topics) + "]\n";
-    if (!lists.adaptive.empty()) text += "    adaptive: [" + joined(lists.adaptive) + "]\n";
-    if (!lists.on_demand.empty()) text += "    on_demand: [" + joined(lists.on_demand) + "]\n";
-    if (!lists.compress.empty()) text += "    compress: [" + joined(lists.compress) + "]\n";
-  }
+  for (const auto& [name, lists] : classes) text += "  " + name + ":\n" + lists.text();
   return text;
 }
 
