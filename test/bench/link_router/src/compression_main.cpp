@@ -55,7 +55,7 @@ class TopicRun {
  public:
   TopicRun(const std::vector<Recorded>& messages, double loss, bool compressed)
       : messages_(messages),
-        channel_(channel_of(loss), {}, 1, begin),
+        channel_(lossy_channel(loss, 0.02), {}, 1, begin),
         routers_(channel_, {}, begin) {
     router::StreamRule rule;
     rule.name = "topic";
@@ -94,13 +94,6 @@ class TopicRun {
   [[nodiscard]] const Work& restoring() const { return restoring_; }
 
  private:
-  static radio::ChannelParams channel_of(double loss) {
-    radio::ChannelParams params;
-    params.mode = "bernoulli";
-    params.loss = loss;
-    params.delay_s = 0.02;
-    return params;
-  }
   std::optional<router::Sample> smaller(const router::Sample& plain, const router::Sample* base) {
     auto bytes = compression_.time([&] {
       return codec_.compress(content(plain), base != nullptr ? content(*base) : Bytes{});

@@ -50,7 +50,7 @@ class PictureRun {
  public:
   PictureRun(const Setting& setting, const Variant& variant, double loss)
       : setting_(setting),
-        channel_(channel_of(loss), {}, 1, begin),
+        channel_(lossy_channel(loss, 0.005), {}, 1, begin),
         routers_(channel_, setup(variant), begin) {
     if (variant.whole) routers_.sender(0).set_largest_piece(0);
     routers_.add_stream(0, camera, rule_of("camera", TrafficClass::low), begin);
@@ -104,13 +104,6 @@ class PictureRun {
   }
 
  private:
-  static radio::ChannelParams channel_of(double loss) {
-    radio::ChannelParams params;
-    params.mode = "bernoulli";
-    params.loss = loss;
-    params.delay_s = 0.005;
-    return params;
-  }
   static RouterRadio::Setup setup(const Variant& variant) {
     RouterRadio::Setup setup;
     setup.params.low_repairs = variant.repairs;

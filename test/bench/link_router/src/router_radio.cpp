@@ -19,6 +19,14 @@ constexpr std::size_t stream_acknowledgement_bytes = 18;
 
 }  // namespace
 
+radio::ChannelParams lossy_channel(double loss, double delay_s) {
+  radio::ChannelParams params;
+  params.mode = "bernoulli";
+  params.loss = loss;
+  params.delay_s = delay_s;
+  return params;
+}
+
 RouterRadio::RouterRadio(radio::RadioChannel& channel, const Setup& setup, Time start)
     : channel_(channel), dscp_(setup.dscp) {
   for (std::size_t side = 0; side < 2; ++side) {

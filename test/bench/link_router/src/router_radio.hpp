@@ -15,6 +15,9 @@
 
 namespace tocsin::bench {
 
+/// A link without MAC that loses each packet by itself, both ways.
+[[nodiscard]] radio::ChannelParams lossy_channel(double loss, double delay_s);
+
 /// Two routers, side 0 of the vehicle and side 1 of the station, with the radio between them. The
 /// sides know each other as "peer".
 class RouterRadio {

@@ -24,7 +24,7 @@ struct LinkRouterParams {
     v("bulk_backlog_s", bulk_backlog_s, {0, 10},
       "[s] a sample of four or more packets waits while the radio's queue is longer");
     v("bulk_under_way", bulk_under_way, {1, 10000},
-      "[1] such samples that are not acknowledged yet, at most");
+      "[1] such samples in pieces that are not acknowledged yet, at most; of whole ones one more");
     v("hold_backlog_s", hold_backlog_s, {0.01, 10},
       "[s] sources that follow the budget pause, and small samples of normal and low wait, while "
       "more than this is outstanding");

@@ -136,8 +136,8 @@ void FastDdsLinkBus::connect(FlowId id, Sending& sending) {
   } catch (const EnvironmentError& error) {
     return log_refusal("send", topic, error);
   }
-  marks_->set(sending.writer->entity(), {rules_.dscp(sending.traffic_class), sending.traffic_class,
-                                         purpose_of(sending.flow.topic)});
+  marks_->set(sending.writer->entity(),
+              {rules_.dscp(sending.traffic_class), sending.traffic_class, sending.purpose});
 }
 
 std::optional<LinkEvent> FastDdsLinkBus::take() {
@@ -258,6 +258,7 @@ FlowId FastDdsLinkBus::open(const Flow& flow, TrafficClass traffic_class) {
   Sending& sending = sending_[id];
   sending.flow = flow;
   sending.traffic_class = traffic_class;
+  sending.purpose = purpose_of(flow.topic);
   if (link_) connect(id, sending);
   return id;
 }
@@ -280,7 +281,7 @@ std::optional<std::uint64_t> FastDdsLinkBus::send(FlowId flow, const CarriedSamp
   const auto found = sending_.find(flow);
   if (found == sending_.end() || !found->second.writer) return std::nullopt;
   FlowWriter& writer = *found->second.writer;
-  const bool is_own = purpose_of(found->second.flow.topic) == LinkPurpose::acknowledgements;
+  const bool is_own = found->second.purpose == LinkPurpose::acknowledgements;
   return is_own ? writer.write_own(sample) : writer.write(sample, piece);
 }
 

@@ -74,6 +74,7 @@ class FastDdsLinkBus final : public LinkBus {
  private:
   struct Sending {
     Flow flow;
+    LinkPurpose purpose = LinkPurpose::samples;
     TrafficClass traffic_class;
     std::unique_ptr<FlowWriter> writer;  ///< null while the link is not up
   };
