@@ -128,6 +128,20 @@ TEST_F(BackfillSenderTest, RepeatsTheFirstUntilItIsConfirmedAndEverMoreSeldom) {
   EXPECT_THAT(sut_.on_progress({1, 1}, now_), ElementsAre(id(1)));
 }
 
+TEST_F(BackfillSenderTest, KeepsAWritersOrderThoughTheLogIsReadAmidItsHistory) {
+  sut_.begin_session();
+  for (std::uint64_t i = 3; i <= 4; ++i) sut_.offer(id(i));
+  for (std::uint64_t i = 1; i <= 6; ++i) sut_.recover(id(i));
+  sut_.recover(id(9, 7));
+  for (std::uint64_t i = 5; i <= 7; ++i) sut_.offer(id(i));
+  for (const std::uint64_t i : {3, 4, 7})
+    EXPECT_FALSE(sut_.on_fate(id(i), LiveFate::not_delivered));
+  read_all(1);
+  const auto batch = next();
+  ASSERT_TRUE(batch);
+  EXPECT_THAT(sequences(*batch), ElementsAre(1, 2, 9, 3, 4, 5, 6, 7));
+}
+
 TEST_F(BackfillSenderTest, CountsWhatTheLogCouldNotTake) {
   sut_.offer(id(1));
   sut_.on_logged(id(1), Logged::refused);

@@ -3,6 +3,7 @@
 // must hold whatever happens. A failure names its seed.
 #include <gtest/gtest.h>
 
+#include <deque>
 #include <map>
 #include <memory>
 #include <random>
@@ -26,6 +27,7 @@ constexpr Duration ms = std::chrono::milliseconds(1);
 constexpr StreamId backfill_stream = 100;
 constexpr StreamId streams = 4;
 constexpr SourceId sources = 2;
+constexpr std::size_t history_depth = 30;
 
 std::string name_of(StreamId stream) { return "topic" + std::to_string(stream); }
 SampleId id_of(StreamId stream, const Origin& origin) {
@@ -62,6 +64,11 @@ class RandomStore {
   [[nodiscard]] std::size_t retired() const { return retired_.size(); }
 
  private:
+  struct Offered {
+    StreamId stream;
+    Origin origin;
+    std::size_t bytes;
+  };
   struct OnAir {
     Transmission what;
     TransmissionNumber number;
@@ -103,9 +110,21 @@ class RandomStore {
       log_->add({rule.name, "/" + rule.name, {}, {}});
     }
     sender_->add_backfill_stream(backfill_stream);
-    for (const SampleId& id : log_->waiting()) backfill_->recover(id);
     if (receiver_) receiver_->on_peer("vehicle", vehicle_instance_);
     meet();
+    read_log_amid_histories();
+  }
+  /// Writers give their history again; the answer that the log is open comes at any moment.
+  void read_log_amid_histories() {
+    const auto histories = histories_now();
+    const auto before = static_cast<std::size_t>(below(static_cast<int>(histories.size()) + 1));
+    for (std::size_t i = 0; i < before; ++i) announce(histories[i]);
+    for (const SampleId& id : log_->waiting()) backfill_->recover(id);
+    for (std::size_t i = 0; i < before; ++i) log(histories[i]);
+    for (std::size_t i = before; i < histories.size(); ++i) {
+      announce(histories[i]);
+      log(histories[i]);
+    }
   }
   void start_station() {
     receiver_ = std::make_unique<LinkReceiver>();
@@ -166,14 +185,33 @@ class RandomStore {
       const auto source = static_cast<SourceId>(below(sources));
       const Origin origin{source, ++sequences_[{stream, source}], now_};
       const auto bytes = static_cast<std::size_t>(1 + below(chance(0.1) ? 6000 : 600));
-      const SampleId id = id_of(stream, origin);
-      backfill_->offer(id);
-      const auto logged =
-          log_->append({{id, wall_ns(), std::vector<std::uint8_t>(bytes)}}, {now_, wall_ns()});
-      backfill_->on_logged(id, logged.at(0));
-      offered_.insert(id);
-      sender_->offer(stream, {origin, bytes, nullptr}, now_);
+      const Offered one{stream, origin, bytes};
+      announce(one);
+      log(one);
+      offered_.insert(id_of(stream, origin));
+      auto& history = histories_[{stream, source}];
+      history.push_back(one);
+      if (history.size() > history_depth) history.pop_front();
     }
+  }
+  void announce(const Offered& one) {
+    backfill_->offer(id_of(one.stream, one.origin));
+    sender_->offer(one.stream, {one.origin, one.bytes, nullptr}, now_);
+  }
+  void log(const Offered& one) {
+    const SampleId id = id_of(one.stream, one.origin);
+    const auto logged =
+        log_->append({{id, wall_ns(), std::vector<std::uint8_t>(one.bytes)}}, {now_, wall_ns()});
+    backfill_->on_logged(id, logged.at(0));
+  }
+  [[nodiscard]] std::vector<Offered> histories_now() const {
+    std::vector<Offered> all;
+    for (const auto& entry : histories_) {
+      for (const Offered& one : entry.second) {
+        if (retired_.count(id_of(one.stream, one.origin)) == 0) all.push_back(one);
+      }
+    }
+    return all;
   }
 
   void send() {
@@ -288,6 +326,7 @@ class RandomStore {
   std::multimap<Time, OnAir> air_;
   std::multimap<Time, std::pair<LinkAcknowledgement, BackfillProgress>> confirmations_;
   std::map<std::pair<StreamId, SourceId>, std::uint64_t> sequences_;
+  std::map<std::pair<StreamId, SourceId>, std::deque<Offered>> histories_;
   std::map<std::pair<std::uint64_t, std::uint64_t>, std::uint64_t> last_filled_;
   std::set<SampleId> offered_;
   std::set<SampleId> delivered_;

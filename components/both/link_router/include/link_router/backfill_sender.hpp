@@ -72,6 +72,7 @@ class BackfillSender {
   /// Rises in the order of offers; those of earlier instances are before, those that
   /// were requested behind all.
   using Order = std::uint64_t;
+  static constexpr Order first_offered = Order{1} << 48U;
   static constexpr Order first_requested = Order{1} << 56U;
   enum class State : std::uint8_t {
     live,       ///< may still cross live
@@ -97,6 +98,9 @@ class BackfillSender {
   void add(Order order, const SampleId& id, State state);
   void set(Order order, Item& item, State state);
   void erase(Order order);
+  /// Whether the writer offered an older one in this life: its history comes again, and the log may
+  /// be read in the middle of that.
+  [[nodiscard]] bool follows_an_offered(const SampleId& id) const;
   [[nodiscard]] bool is_blocked(Order order, const SampleId& id) const;
   [[nodiscard]] Sent make_batch();
   [[nodiscard]] Time repeat_at() const;
@@ -111,7 +115,7 @@ class BackfillSender {
   std::set<Order> ready_;
   std::size_t asked_ = 0;
   Order last_recovered_ = 0;
-  Order last_offered_ = Order{1} << 48U;
+  Order last_offered_ = first_offered;
   Order last_requested_ = first_requested;
   std::map<std::uint64_t, StoredCounts> counts_;
 

@@ -77,7 +77,15 @@ void BackfillSender::offer(const SampleId& id) {
 
 void BackfillSender::recover(const SampleId& id) {
   counts_.try_emplace(id.stream);
-  if (orders_.count(id) == 0) add(++last_recovered_, id, State::waiting);
+  if (orders_.count(id) != 0) return;
+  add(follows_an_offered(id) ? ++last_offered_ : ++last_recovered_, id, State::waiting);
+}
+
+bool BackfillSender::follows_an_offered(const SampleId& id) const {
+  const auto next = orders_.lower_bound(id);
+  if (next == orders_.begin()) return false;
+  const auto& [before, order] = *std::prev(next);
+  return writer_of(before) == writer_of(id) && order > first_offered && order <= last_offered_;
 }
 
 void BackfillSender::on_logged(const SampleId& id, sample_log::Logged logged) {
