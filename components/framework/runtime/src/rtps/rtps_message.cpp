@@ -2,6 +2,7 @@
 #include "runtime/middleware/rtps_message.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace tocsin {
 namespace {
@@ -125,6 +126,18 @@ std::optional<Authentication> authentication_in(const std::uint8_t* message, std
     return found;
   }
   return std::nullopt;
+}
+
+bool is_key_exchange(const std::uint8_t* message, std::size_t size) {
+  constexpr std::uint8_t sec_prefix = 0x31;
+  constexpr std::size_t key_at = 4;  // behind the kind of the transformation
+  constexpr std::array<std::uint8_t, 4> zero{};
+  Submessages all(message, size);
+  while (const auto one = all.next()) {
+    if (one->kind != sec_prefix || one->bytes < key_at + zero.size()) continue;
+    return std::equal(zero.begin(), zero.end(), one->content + key_at);
+  }
+  return false;
 }
 
 bool is_builtin(const rtps::EntityId_t& endpoint) {

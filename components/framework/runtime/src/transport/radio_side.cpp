@@ -16,6 +16,7 @@
 
 #include "fast_dds_v2/authentication_repeats.hpp"
 #include "fast_dds_v2/discovery_pacer.hpp"
+#include "fast_dds_v2/key_repeats.hpp"
 #include "fast_dds_v2/message_pieces.hpp"
 #include "rtps/this_host.hpp"
 #include "runtime/middleware/rtps_message.hpp"
@@ -65,6 +66,7 @@ class RadioSender : public rtps::SenderResource {
     const auto authentication = parts_.repeats ? authentication_in(bytes, size) : std::nullopt;
     if (authentication && authentication->goes_elsewhere) return true;
     const auto state = discovery_state_in(bytes, size);
+    const bool has_keys = parts_.repeats && is_key_exchange(bytes, size);
     std::optional<ActivityTurn> turn;
     if (is_announcement(bytes, size)) turn.emplace(*timer_);
     bool all = true;
@@ -72,6 +74,7 @@ class RadioSender : public rtps::SenderResource {
       const rtps::Locator_t& to = *next;
       if (to.kind != LOCATOR_KIND_UDPv4 || rtps::IPLocator::isMulticast(to)) continue;
       if (state && !passes(*state, {{bytes, bytes + size}, to})) continue;
+      if (has_keys) repeat_keys({{bytes, bytes + size}, to});
       all = send_in_pieces(bytes, size, to, authentication) && all;
     }
     return all;
@@ -154,13 +157,26 @@ class RadioSender : public rtps::SenderResource {
     changed_.notify_one();
     return false;
   }
+  void repeat_keys(KeyRepeats::Packet packet) {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      keys_.sent(std::move(packet), std::chrono::steady_clock::now());
+    }
+    wake();
+  }
+  void send_paced(const std::vector<rtps::octet>& bytes, const rtps::Locator_t& to) {
+    (void)socket_.send(bytes.data(), bytes.size(), to,
+                       parts_.marks->mark(bytes.data(), bytes.size(), bytes.size()));
+  }
   void run() {
     std::unique_lock<std::mutex> lock(mutex_);
     while (!stopping_) {
       if (const auto due = pacer_.take_due(std::chrono::steady_clock::now())) {
-        const auto& bytes = due->message;
-        (void)socket_.send(bytes.data(), bytes.size(), due->to,
-                           parts_.marks->mark(bytes.data(), bytes.size(), bytes.size()));
+        send_paced(due->message, due->to);
+        continue;
+      }
+      if (const auto due = keys_.take_due(std::chrono::steady_clock::now())) {
+        send_paced(due->bytes, due->to);
         continue;
       }
       woken_ = false;
@@ -173,7 +189,7 @@ class RadioSender : public rtps::SenderResource {
   }
   void sleep(std::unique_lock<std::mutex>& lock) {
     const bool says = parts_.stop && has_header_.load(std::memory_order_acquire);
-    Time deadline = pacer_.deadline();
+    Time deadline = std::min(pacer_.deadline(), keys_.deadline());
     if (says) deadline = std::min(deadline, parts_.stop->deadline());
     if (parts_.repeats) deadline = std::min(deadline, parts_.repeats->deadline());
     if (deadline == never) {
@@ -188,6 +204,7 @@ class RadioSender : public rtps::SenderResource {
   std::mutex mutex_;
   std::condition_variable changed_;
   DiscoveryPacer pacer_;
+  KeyRepeats keys_;
   MessagePieces pieces_;
   bool stopping_ = false;
   bool woken_ = false;

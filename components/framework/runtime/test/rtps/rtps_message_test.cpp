@@ -63,6 +63,29 @@ Bytes authentication(std::uint8_t addressee, std::uint8_t destination,
   return bytes;
 }
 
+/// A message that is sealed with the key of this identifier.
+Bytes sealed(const Bytes& key) {
+  Bytes bytes = message();
+  append(bytes, info_destination, Bytes(12, 7));
+  Bytes content{0, 0, 0, 2};  // AES-256 in GCM
+  content.insert(content.end(), key.begin(), key.end());
+  content.resize(20);
+  append(bytes, 0x31, content);
+  return bytes;
+}
+
+bool exchanges_keys(const Bytes& bytes) { return is_key_exchange(bytes.data(), bytes.size()); }
+
+TEST(IsKeyExchange, IsWhatIsSealedWithTheKeyOfTheHandshake) {
+  EXPECT_TRUE(exchanges_keys(sealed({0, 0, 0, 0})));
+  EXPECT_FALSE(exchanges_keys(sealed({0, 0, 0, 1})));
+  EXPECT_FALSE(exchanges_keys(authentication(7, 7)));
+  Bytes cut = message();
+  append(cut, 0x31, Bytes(7));
+  EXPECT_FALSE(exchanges_keys(cut));
+  EXPECT_FALSE(exchanges_keys({}));
+}
+
 std::optional<Authentication> read_authentication(const Bytes& bytes) {
   return authentication_in(bytes.data(), bytes.size());
 }

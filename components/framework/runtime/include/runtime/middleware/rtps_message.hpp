@@ -80,6 +80,10 @@ struct Authentication {
 [[nodiscard]] std::optional<Authentication> authentication_in(const std::uint8_t* message,
                                                               std::size_t size);
 
+/// Whether a message is part of an exchange of keys: a submessage in it is sealed with the key of
+/// the handshake, whose identifier is zero (DDS Security 1.1 sections 9.5.2.1.2 and 9.5.2.3).
+[[nodiscard]] bool is_key_exchange(const std::uint8_t* message, std::size_t size);
+
 /// Whose state a message tells: HEARTBEAT or ACKNACK, the participant that it is for, reader and
 /// writer.
 using StateKey = std::array<std::uint8_t, 21>;
