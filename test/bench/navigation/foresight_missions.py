@@ -2,11 +2,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a map of the link buys in Mission C: simulated runs of bringup/foresight.yaml, two rounds each.
 
-usage: foresight_missions.py [ways|policies] [SEEDS]
+usage: foresight_missions.py [ways|rooms|policies|pictures] [SEEDS]
 
 ways:     seconds without link and metres driven, in the first round (learned on the way) and in the
           second (known), for some values of navigator.link_detour; 0 is the shortest way
+rooms:    the same for two rounds of Missions A and B in the classroom
 policies: what the classes of the vehicle lose, for policies of its transmission_controller
+pictures: when all pictures of a survey are on the station that stores those that do not cross
+          (bringup/survey.yaml with config/traffic_survey.yaml), for policies, ways and stops
 
 A second without link is a measurement of which half of the probes or more had no answer. Needs a
 sourced installation (tocsin).
@@ -22,21 +25,36 @@ import sys
 import tempfile
 
 csv.field_size_limit(10**9)
-ROUND_ENDS = re.compile(r"(\d+):(\d+):([\d.]+) info \[mission_control\] waypoint 6 reached")
+MISSIONS = pathlib.Path(__file__).resolve().parents[3] / "config/missions"
+REACHED = re.compile(r"(\d+):(\d+):([\d.]+) info \[mission_control\] waypoint (\d+) reached")
 
 
 class Run:
     """One simulated mission and what the vehicle recorded of it."""
 
-    def __init__(self, folder, seed, settings):
+    round_waypoints = 6
+
+    def __init__(self, folder, seed, settings, bringup="foresight.yaml", more=()):
         self.folder = pathlib.Path(folder)
-        command = ["tocsin", "sim", "foresight.yaml", "--seed", str(seed), "--run-dir", str(self.folder / "run")]
+        command = ["tocsin", "sim", bringup, "--seed", str(seed), "--run-dir", str(self.folder / "run"), *more]
         done = subprocess.run(command + [f"--set={one}" for one in settings], capture_output=True, text=True)
         if done.returncode != 0:
             sys.exit(f"foresight_missions.py: {' '.join(command)}: {done.stderr[-400:]}")
         self.time_s = float(re.match(r"([\d.]+) s simulated", done.stdout)[1])
-        hours, minutes, seconds = ROUND_ENDS.search(done.stderr).groups()
-        self.first_round_s = int(hours) * 3600 + int(minutes) * 60 + float(seconds)
+        for hours, minutes, seconds, waypoint in REACHED.findall(done.stderr):
+            if int(waypoint) == self.round_waypoints:
+                self.first_round_s = int(hours) * 3600 + int(minutes) * 60 + float(seconds)
+
+    def mission_s(self):
+        """When the mission was over."""
+        rows = self.rows("mission_status", "gcs")
+        return stamp(next(row for row in rows if row["state"] == "done")) - stamp(rows[0])
+
+    def waiting(self):
+        """Pictures that wait on the vehicle, each second from its start."""
+        rows = [row for row in self.rows("link_state") if row["role"] == "uxv"]
+        begin = stamp(rows[0])
+        return [(stamp(row) - begin, sum(one["waiting"] for one in json.loads(row["stored"]))) for row in rows]
 
     def rows(self, topic, host="uxv"):
         out = self.folder / f"{host}_{topic}"
@@ -87,8 +105,11 @@ def missions(seeds, settings, measure):
     for seed in range(1, seeds + 1):
         with tempfile.TemporaryDirectory() as folder:
             measured.append(measure(Run(folder, seed, settings)))
-    columns = list(zip(*measured))
-    return [(statistics.mean(one), 1.96 * statistics.stdev(one) / math.sqrt(seeds)) for one in columns]
+    return means(measured)
+
+
+def means(measured):
+    return [(statistics.mean(one), 1.96 * statistics.stdev(one) / math.sqrt(len(measured))) for one in zip(*measured)]
 
 
 def print_row(name, values):
@@ -101,6 +122,19 @@ def ways(seeds):
     for detour in (0, 0.15, 0.3):
         settings = [f"navigator.link_detour={detour}"]
         print_row(detour, missions(seeds, settings, lambda run: [*run.silent_s(), *run.driven_m(), run.time_s]))
+
+
+def rooms(seeds):
+    print("| mission | link_detour | without link, round 1, s | round 2, s | way, round 1, m | round 2, m |")
+    print("| --- | --- | --- | --- | --- | --- |")
+    for mission, channel in (("mission_a", "classroom"), ("mission_b", "classroom_mission_b")):
+        for detour in (0, 0.15):
+            values = []
+            for seed in range(1, seeds + 1):
+                with tempfile.TemporaryDirectory() as folder:
+                    run = RoomRun(folder, seed, [f"navigator.link_detour={detour}"], mission, channel)
+                    values.append([*run.silent_s(), *run.driven_m()])
+            print_row(f"{mission} | {detour}", means(values))
 
 
 def policies(seeds):
@@ -119,12 +153,65 @@ def policies(seeds):
         print_row(policy, missions(seeds, [f"transmission_controller.policy={policy}"], measure))
 
 
+class RoomRun(Run):
+    """Two rounds of a mission in the classroom, by a modelled localiser."""
+
+    def __init__(self, folder, seed, settings, mission, channel):
+        folder = pathlib.Path(folder)
+        text = (MISSIONS / f"{mission}.yaml").read_text(encoding="utf-8")
+        waypoints = [line for line in text.splitlines() if line.strip().startswith("- {")]
+        self.round_waypoints = len(waypoints)
+        (folder / "rounds.yaml").write_text("\n".join(["waypoints:", *waypoints, *waypoints, ""]), encoding="utf-8")
+        (folder / "parameters.yaml").write_text(
+            f"mission_control: {{mission_file: {folder}/rounds.yaml}}\n"
+            "navigator: {localisation: localiser}\nlink_mapper: {map_name: '${run_dir}/link'}\n", encoding="utf-8")
+        (folder / "room.yaml").write_text(
+            "extends: mission.yaml\nparameters: [./parameters.yaml]\n"
+            f"radio: {{channel: '${{share}}/config/radio/{channel}.yaml'}}\n"
+            "hosts: {uxv: {containers: [{name: drive, components: [modelled_localiser]}, "
+            "{name: payload, components: [link_mapper]}]}}\n", encoding="utf-8")
+        super().__init__(folder, seed, settings, str(folder / "room.yaml"))
+
+
+class Survey(Run):
+    """Mission C with stored pictures, and so long after it that all can cross."""
+
+    def __init__(self, folder, seed, settings):
+        bringup = pathlib.Path(folder) / "pictures.yaml"
+        bringup.write_text("extends: survey.yaml\ntraffic: ${share}/config/traffic_survey.yaml\nstop_when_exits: ~\n", encoding="utf-8")
+        settings = [*settings, "mission_control.exit_when_over=false"]
+        super().__init__(folder, seed, settings, str(bringup), ("--duration", "900"))
+
+    def measures(self):
+        """Mission [s], all pictures there [s], mean delay of a picture by Little's law [s], most that wait."""
+        waiting = self.waiting()
+        few = 3  # that are on their way always
+        low = self.classes()["low"]
+        there = max((at for at, count in waiting if count > few), default=0)
+        delay = sum(count for _, count in waiting) / max(1, low["offered"])
+        return [self.mission_s(), max(there, self.mission_s()), delay, max(count for _, count in waiting)]
+
+
+def pictures(seeds):
+    print("| policy | link_detour | send_stop_s | mission, s | all there after, s | mean delay, s | most that wait |")
+    print("| --- | --- | --- | --- | --- | --- | --- |")
+    for policy, detour, stop in (("none", 0, 0), ("tocp_dsp", 0, 0), ("none", 0.15, 0), ("none", 0, 60),
+                                 ("none", 0.15, 60), ("foresight", 0.15, 0), ("foresight", 0.15, 60)):
+        settings = [f"transmission_controller.policy={policy}", f"navigator.link_detour={detour}",
+                    f"navigator.send_stop_s={stop}"]
+        values = []
+        for seed in range(1, seeds + 1):
+            with tempfile.TemporaryDirectory() as folder:
+                values.append(Survey(folder, seed, settings).measures())
+        print_row(f"{policy} | {detour} | {stop}", means(values))
+
+
 def main():
-    subjects = {"ways": ways, "policies": policies}
+    subjects = {"ways": ways, "rooms": rooms, "policies": policies, "pictures": pictures}
     chosen = sys.argv[1] if len(sys.argv) > 1 else "ways"
     count = sys.argv[2] if len(sys.argv) > 2 else "20"
     if chosen not in subjects or not count.isdigit() or int(count) < 2:
-        sys.exit(f"foresight_missions.py: {' '.join(sys.argv[1:])}: is not ways or policies, and a number of seeds from 2")
+        sys.exit(f"foresight_missions.py: {' '.join(sys.argv[1:])}: is not ways, rooms, policies or pictures, and a number of seeds from 2")
     subjects[chosen](int(count))
 
 

@@ -17,7 +17,7 @@ constexpr std::size_t alike_part = 8;
 }  // namespace
 
 Sample CompressedSource::send(const Sample& plain, const Compress& compress) {
-  if (plain.bytes > largest_compressed) return plain;
+  if (plain.bytes > SampleCoding::largest) return plain;
   if (rest_ > 0 && plain.bytes <= resting_bytes_) {
     --rest_;
     return plain;

@@ -122,7 +122,7 @@ TEST(CompressedSource, OfALargeSampleOnlyAGainCounts) {
   EXPECT_TRUE(other.send(sample(1, largest_base + 1), halve).coding.is_compressed);
   other.on_delivered(sample(1, largest_base + 1));
   EXPECT_EQ(other.send(sample(2), halve).coding.base, 0U) << "nobody keeps it";
-  EXPECT_FALSE(other.send(sample(3, largest_compressed + 1), halve).coding.is_compressed);
+  EXPECT_FALSE(other.send(sample(3, SampleCoding::largest + 1), halve).coding.is_compressed);
 }
 
 TEST(CompressedSamples, OfASourceTheNewestAreKept) {

@@ -16,10 +16,11 @@
 namespace tocsin::simulation {
 namespace {
 
-constexpr std::array names{"crash",         "loss",   "delay",      "duplication", "clock_jump",
-                           "serial_noise",  "unplug", "disk_full",  "stop",        "rogue_velocity",
-                           "freeze",        "forge",  "laser_dead", "laser_stuck", "laser_late",
-                           "laser_covered", "slip",   "kidnap"};
+constexpr std::array names{"crash",      "loss",           "delay",        "duplication",
+                           "clock_jump", "serial_noise",   "unplug",       "disk_full",
+                           "stop",       "rogue_velocity", "freeze",       "forge",
+                           "laser_dead", "laser_stuck",    "laser_late",   "laser_covered",
+                           "slip",       "kidnap",         "access_point", "pose_stuck"};
 /// The first of them are drawn from one sequence of numbers.
 constexpr std::size_t drawn_together = 8;
 
@@ -32,16 +33,16 @@ struct FaultEntry {
   double amount = 0;
   template <class Visitor>
   void visit(Visitor& v) {
-    v("kind", kind,
-      {"crash", "loss", "delay", "duplication", "clock_jump", "serial_noise", "unplug", "disk_full",
-       "stop", "rogue_velocity", "freeze", "forge", "laser_dead", "laser_stuck", "laser_late",
-       "laser_covered", "slip", "kidnap"},
+    v("kind", kind, {"crash",         "loss",   "delay",      "duplication",  "clock_jump",
+                     "serial_noise",  "unplug", "disk_full",  "stop",         "rogue_velocity",
+                     "freeze",        "forge",  "laser_dead", "laser_stuck",  "laser_late",
+                     "laser_covered", "slip",   "kidnap",     "access_point", "pose_stuck"},
       "what goes wrong");
     v("at_s", at_s, {0, 1e6}, "[s] from the start of the run");
     v("for_s", for_s, {0.001, 1e6}, "[s] how long; of a crash: until it is started again");
     v("target", target, "crash and freeze: host/process; clock_jump: host");
     v("amount", amount, {-1e6, 1e6},
-      "share, [s] of delay, clock_jump and laser_late, or [m] of kidnap");
+      "share, [s] of delay, clock_jump and laser_late, or [m] of kidnap and access_point");
   }
 };
 
@@ -99,6 +100,14 @@ bool has(const deployment::Container& container, const char* component) {
 bool has_router(const deployment::Container& container) { return has(container, "link_router"); }
 
 bool has_localiser(const deployment::Container& container) { return has(container, "localiser"); }
+
+bool has_link_mapper(const deployment::Container& container) {
+  return has(container, "link_mapper");
+}
+
+bool has_model_of_localiser(const deployment::Container& container) {
+  return has(container, "modelled_localiser");
+}
 
 bool has_laser(const deployment::Host& host) {
   return std::any_of(host.programs.begin(), host.programs.end(), [](const auto& program) {
@@ -204,6 +213,19 @@ void draw_displacements(std::uint64_t seed, const deployment::Deployment& deploy
   }
 }
 
+/// What makes a map of the link wrong.
+void draw_surprises(std::uint64_t seed, const deployment::Deployment& deployment, FaultPlan& plan) {
+  Draw moved = draw_of(FaultKind::access_point, seed);
+  if (!processes_of(deployment, has_link_mapper).empty() && moved.below(3) == 0) {
+    plan.push_back(in_the_first_minute(FaultKind::access_point, moved));
+    plan.back().amount = moved.between(3, 15) * (moved.below(2) == 0 ? 1 : -1);
+  }
+  Draw stuck = draw_of(FaultKind::pose_stuck, seed);
+  if (!processes_of(deployment, has_model_of_localiser).empty() && stuck.below(3) == 0) {
+    plan.push_back(in_the_first_minute(FaultKind::pose_stuck, stuck));
+  }
+}
+
 }  // namespace
 
 FaultPlan random_faults(std::uint64_t seed, const deployment::Deployment& deployment) {
@@ -218,6 +240,7 @@ FaultPlan random_faults(std::uint64_t seed, const deployment::Deployment& deploy
   if (const auto forge = draw_forge(seed)) plan.push_back(*forge);
   if (const auto laser = draw_laser_fault(seed, deployment)) plan.push_back(*laser);
   draw_displacements(seed, deployment, plan);
+  draw_surprises(seed, deployment, plan);
   std::sort(plan.begin(), plan.end(), earlier);
   return plan;
 }

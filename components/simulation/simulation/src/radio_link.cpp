@@ -47,6 +47,12 @@ RadioLink::RadioLink(Core& core, const radio::ChannelParams& params,
   report();
 }
 
+void RadioLink::move_access_point(double by_x_m) {
+  radio::ChannelParams params = channel_.params();
+  params.access_point_x_m += by_x_m;
+  channel_.configure(params);
+}
+
 void RadioLink::send(const Way& way, std::size_t ip_bytes, std::function<void()> on_arrival) {
   send(way, ip_bytes, std::make_shared<Call>(std::move(on_arrival)), 0);
 }

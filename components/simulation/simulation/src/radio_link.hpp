@@ -68,6 +68,7 @@ class RadioLink {
   [[nodiscard]] AirFaults& faults() { return faults_; }
 
   void set_position(double x_m, double y_m) { channel_.set_position(x_m, y_m); }
+  void move_access_point(double by_x_m);
   /// The text of /proc/net/wireless on the vehicle, renewed each second as by the link emulator.
   [[nodiscard]] const std::string& wireless_text() const { return wireless_text_; }
   [[nodiscard]] std::uint64_t pushed() const { return next_ - 1; }

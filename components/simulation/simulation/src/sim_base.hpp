@@ -46,6 +46,10 @@ class SimBase {
   [[nodiscard]] Time next_event() const;
   /// Null: it has none.
   [[nodiscard]] SimLaser* laser() { return laser_ ? &*laser_ : nullptr; }
+  /// Where the vehicle is, for a model of a localiser.
+  [[nodiscard]] geometry::Pose true_pose() const { return held_.value_or(model_.pose()); }
+  /// That stays what it is.
+  void hold_true_pose(bool holds) { held_ = holds ? std::optional(model_.pose()) : std::nullopt; }
   /// Does what is due at the core's time.
   void advance();
   /// Takes the cable out: what was opened is lost for good, and nothing can be opened.
@@ -73,6 +77,7 @@ class SimBase {
   laser::Room room_;
   std::optional<SimLaser> laser_;
   kobuki::BaseModel model_;
+  std::optional<geometry::Pose> held_;  ///< what is said of where it is
   kobuki::SerialLine line_;
   kobuki::LineParams quiet_line_;
   Time next_;

@@ -95,7 +95,7 @@ class SimWireless final : public network::WirelessDevice {
 class SimTruePose final : public TruePose {
  public:
   explicit SimTruePose(const SimBase& base) : base_(base) {}
-  geometry::Pose read() override { return base_.model().pose(); }
+  geometry::Pose read() override { return base_.true_pose(); }
 
  private:
   const SimBase& base_;

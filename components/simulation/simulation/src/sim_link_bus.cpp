@@ -266,8 +266,8 @@ void SimLinkBus::on_arrived(const Overheard& what) {
 
 std::optional<CarriedSample> SimLinkBus::compress(const CarriedSample& sample,
                                                   const CarriedSample* base) {
-  const std::uint64_t before = base != nullptr ? sample.sequence - base->sequence : 0;
-  if (before > SampleCoding::farthest) return std::nullopt;
+  const auto coding = coding_of(sample, base);
+  if (!coding) return std::nullopt;
   const auto encoded = [](const CarriedSample& one) {
     return encode(*freight(one).type, freight(one).message.get());
   };
@@ -275,7 +275,7 @@ std::optional<CarriedSample> SimLinkBus::compress(const CarriedSample& sample,
   compressed.bytes = static_cast<std::uint32_t>(
       codec_.compress(encoded(sample), base != nullptr ? encoded(*base) : SampleCodec::Bytes{})
           .size());
-  compressed.coding = {true, static_cast<std::uint8_t>(before)};
+  compressed.coding = *coding;
   return compressed;
 }
 

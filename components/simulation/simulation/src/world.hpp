@@ -79,6 +79,7 @@ class World {
   void plan_serial(const Fault& fault);
   void plan_laser(const Fault& fault);
   void plan_displacement(const Fault& fault);
+  void plan_stuck_pose(const Fault& fault);
   void plan_disk(const Fault& fault);
   void plan_stop(const Fault& fault);
   void plan_rogue(const Fault& fault);

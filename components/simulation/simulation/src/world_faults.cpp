@@ -50,6 +50,10 @@ void World::plan(const Fault& fault) {
     case FaultKind::slip:
     case FaultKind::kidnap:
       return plan_displacement(fault);
+    case FaultKind::access_point:
+      return at(fault.at_s, [this, by_m = fault.amount] { link_.move_access_point(by_m); });
+    case FaultKind::pose_stuck:
+      return plan_stuck_pose(fault);
     case FaultKind::clock_jump:
       break;
   }
@@ -114,6 +118,15 @@ void World::plan_displacement(const Fault& fault) {
         at(fault.at_s, [&base, share = fault.amount] { base.set_slip(share); });
         at(fault.at_s + fault.for_s, [&base] { base.set_slip(0); });
       }
+    }
+  }
+}
+
+void World::plan_stuck_pose(const Fault& fault) {
+  for (Side& side : sides_) {
+    for (SimBase& base : side.bases) {
+      at(fault.at_s, [&base] { base.hold_true_pose(true); });
+      at(fault.at_s + fault.for_s, [&base] { base.hold_true_pose(false); });
     }
   }
 }

@@ -164,6 +164,18 @@ TEST(RandomFaults, DisplaceAVehicleThatHasALocaliser) {
   EXPECT_NEAR(count_of(deployment, FaultKind::kidnap, FaultKind::kidnap), 250, 50);
 }
 
+TEST(RandomFaults, SurpriseWhoKnowsTheLinkByPlace) {
+  auto deployment = two_hosts();
+  EXPECT_EQ(count_of(deployment, FaultKind::access_point, FaultKind::pose_stuck), 0);
+  for (const char* const name : {"link_mapper", "modelled_localiser"}) {
+    deployment::ComponentInstance instance;
+    instance.name = instance.component = name;
+    deployment.hosts.front().containers.front().components.push_back(std::move(instance));
+  }
+  EXPECT_NEAR(count_of(deployment, FaultKind::access_point, FaultKind::access_point), 333, 50);
+  EXPECT_NEAR(count_of(deployment, FaultKind::pose_stuck, FaultKind::pose_stuck), 333, 50);
+}
+
 bool crashes(const FaultPlan& plan, const std::string& process) {
   return std::any_of(plan.begin(), plan.end(), [&](const Fault& fault) {
     return fault.kind == FaultKind::crash && fault.target == process;

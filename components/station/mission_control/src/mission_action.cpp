@@ -40,7 +40,7 @@ navigation::Mission mission_of(const WaypointsGoal& goal) {
   navigation::Mission mission{"follow_waypoints", map_frame, {}, "goal of follow_waypoints"};
   for (std::uint32_t loop = 0; loop <= goal.loops; ++loop) {
     for (std::size_t i = loop == 0 ? goal.first : 0; i < goal.poses.size(); ++i) {
-      mission.waypoints.push_back(goal.poses[i].pose);
+      mission.waypoints.push_back({goal.poses[i].pose});
     }
   }
   return mission;

@@ -152,7 +152,7 @@ bool MissionControl::was_taken_over() const {
 void MissionControl::check_arrival(Time now) {
   if (has_gone_on()) {
     while (has_gone_on()) arrive(false, now);
-  } else if (distance_m() <= params_.arrival_m) {
+  } else if (mission_.waypoints[waypoint_].send_s == 0 && distance_m() <= params_.arrival_m) {
     arrive(true, now);
   } else if (status_ == "reached" && is_told_present()) {
     arrive(false, now);
@@ -213,7 +213,7 @@ MissionControl::Goal MissionControl::issue(Time now) {
           waypoints_ahead()};
 }
 
-std::vector<geometry::Pose> MissionControl::waypoints_ahead() const {
+std::vector<navigation::Waypoint> MissionControl::waypoints_ahead() const {
   const auto next = mission_.waypoints.begin() + waypoint_ + 1;
   const auto left = mission_.waypoints.end() - next;
   return {next, next + std::min<std::ptrdiff_t>(params_.goals_ahead, left)};

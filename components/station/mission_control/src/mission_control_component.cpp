@@ -86,13 +86,15 @@ void MissionControlComponent::send(const MissionControl::Goal& goal, Time now) {
   message.x(goal.pose.x_m);
   message.y(goal.pose.y_m);
   message.yaw(goal.pose.heading_rad);
+  message.send_s(goal.pose.send_s);
   message.tolerance_m(goal.tolerance_m);
   message.lifetime_s(goal.lifetime_s);
-  for (const geometry::Pose& pose : goal.ahead) {
+  for (const navigation::Waypoint& place : goal.ahead) {
     message.ahead().emplace_back();
-    message.ahead().back().x(pose.x_m);
-    message.ahead().back().y(pose.y_m);
-    message.ahead().back().yaw(pose.heading_rad);
+    message.ahead().back().x(place.x_m);
+    message.ahead().back().y(place.y_m);
+    message.ahead().back().yaw(place.heading_rad);
+    message.ahead().back().send_s(place.send_s);
   }
   if (goal_.write(std::move(message)) == Status::failed) log().warn("a goal was not sent");
 }

@@ -67,7 +67,7 @@ std::optional<MissionControl::Goal> MissionControl::hold(Time now) {
   sent_ = now;
   ++goals_sent_;
   ++goals_for_waypoint_;
-  return Goal{held(), waypoint_, *location_, near_m, params_.goal_lifetime_s, {}};
+  return Goal{held(), waypoint_, {*location_}, near_m, params_.goal_lifetime_s, {}};
 }
 
 }  // namespace tocsin

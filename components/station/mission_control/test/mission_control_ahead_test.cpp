@@ -26,8 +26,23 @@ TEST_F(MissionControlTest, TellsTheWaypointsAheadAndTheirIds) {
   EXPECT_TRUE(second.ahead.empty());
 }
 
+TEST_F(MissionControlTest, WhereTheVehicleSendsItsWordAloneIsArrival) {
+  sut.lead({"sends", "map", {{{1, 0, 0}, 30}, {{5, 0, 0}, 60}}, ""});
+  const auto first = first_goal();
+  EXPECT_EQ(first.pose.send_s, 30);
+  EXPECT_EQ(first.ahead.at(0).send_s, 60);
+  hear(1);
+  hear(first.name, "held");
+  (void)at(3);
+  EXPECT_EQ(progress().waypoint, 0U);
+  hear(first.name, "reached");
+  (void)at(4);
+  EXPECT_EQ(progress().waypoint, 1U);
+}
+
 TEST_F(MissionControlTest, TellsNoMoreAheadThanItIsTold) {
-  const Mission five{"five", "map", {{1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}, {5, 0, 0}}, ""};
+  const Mission five{
+      "five", "map", {{{1, 0, 0}}, {{2, 0, 0}}, {{3, 0, 0}}, {{4, 0, 0}}, {{5, 0, 0}}}, ""};
   for (const int ahead : {0, 3, 4, 5}) {
     MissionControl::Params params;
     params.goals_ahead = ahead;
@@ -82,7 +97,7 @@ TEST_F(SuccessorTest, GoesOnBehindAWaypointThatWasReachedMeanwhile) {
 
 TEST_F(SuccessorTest, StartsOverForAnotherMissionAForeignGoalOrWhenToldNotToResume) {
   const auto first = first_goal();
-  const Mission other{"other", "map", {{9, 9, 0}, {8, 8, 0}}, ""};
+  const Mission other{"other", "map", {{{9, 9, 0}}, {{8, 8, 0}}}, ""};
   for (const auto& goal : {goal_after(after(first.name), "driving", other),
                            goal_after(after(first.name, 2), "driving"),  // none of its waypoints
                            goal_after(after(first.name), "driving", two_waypoints, false)}) {

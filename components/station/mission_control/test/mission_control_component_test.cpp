@@ -43,6 +43,15 @@ TEST_F(MissionControlComponentTest, SendsTheFirstWaypointAsAGoal) {
   EXPECT_EQ(state(), "running");
 }
 
+TEST_F(MissionControlComponentTest, TellsTheVehicleWhereToStandAndSend) {
+  params_.mission_file =
+      write("sends.yaml", "waypoints: [{x: 1, y: 0.5, send_s: 40}, {x: 3, y: 0.5, send_s: 5}]\n");
+  const auto goal = first_goal();
+  EXPECT_EQ(goal.send_s(), 40);
+  ASSERT_EQ(goal.ahead().size(), 1U);
+  EXPECT_EQ(goal.ahead()[0].send_s(), 5);
+}
+
 TEST_F(MissionControlComponentTest, SkipsAWaypointAndIgnoresOtherWords) {
   (void)first_goal();
   for (const char* words : {"skip", "skip 0", "skip 1x", "Pause", ""}) say(words);

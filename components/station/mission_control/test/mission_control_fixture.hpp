@@ -10,7 +10,8 @@
 namespace tocsin {
 
 inline constexpr Time t0{std::chrono::hours(1)};
-inline const navigation::Mission two_waypoints{"two", "map", {{1, 0, 0}, {5, 0, 1.5}}, "two.yaml"};
+inline const navigation::Mission two_waypoints{
+    "two", "map", {{{1, 0, 0}}, {{5, 0, 1.5}}}, "two.yaml"};
 
 /// A mission control with a clock, and a vehicle that can be heard.
 class MissionControlTest : public ::testing::Test {

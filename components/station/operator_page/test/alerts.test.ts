@@ -156,6 +156,17 @@ describe("Alert", () => {
     station.onMessage("safety_status", make.safety({ emergency_stop: true }), 4000);
     assert.match(textAt(station, 4000), /emergency stop/);
   });
+  it("tells why the vehicle does not drive on", () => {
+    const textOf = (state: string, reason: string) => {
+      const station = heard(4000);
+      station.onMessage("navigation_status", make.navigation({ state, reason }), 4000);
+      return textAt(station, 4000);
+    };
+    assert.equal(textOf("held", "goal_expired"), "The vehicle holds: its goal was not renewed in time.");
+    assert.equal(textOf("held", "sending"), "The vehicle stands to send what it has stored.");
+    assert.equal(textOf("held", "a_new_word"), "The vehicle holds.");
+    assert.doesNotMatch(textOf("driving", "aligning"), /^The vehicle holds/);
+  });
   it("says that the vehicle is not protected where sensors are not looked at", () => {
     const station = heard(4000);
     station.onMessage("safety_status", make.safety({ enabled: false }), 4000);

@@ -244,7 +244,8 @@ describe("DecisionSeries", () => {
 });
 
 describe("Route", () => {
-  const [a, b, c] = [{ x: 1, y: 0, yaw: 0 }, { x: 2, y: 0, yaw: 0 }, { x: 3, y: 0, yaw: 0 }];
+  type Place = { x: number; y: number; yaw: number; send_s: number };
+  const [a, b, c] = [1, 2, 3].map((x) => ({ x, y: 0, yaw: 0, send_s: 0 })) as [Place, Place, Place];
   it("keeps mission_control's path while goals of others and that of a pause are heard", () => {
     const sut = new Route();
     const mission = { waypoints: 3, waypoint: 1 };

@@ -98,14 +98,14 @@ class TopicRun {
     auto bytes = compression_.time([&] {
       return codec_.compress(content(plain), base != nullptr ? content(*base) : Bytes{});
     });
-    const std::uint64_t before =
-        base != nullptr ? plain.origin.sequence - base->origin.sequence : 0;
+    const auto coding =
+        compressed_by(plain.origin.sequence,
+                      base != nullptr ? std::optional(base->origin.sequence) : std::nullopt);
+    if (!coding) return std::nullopt;
     originals_[{plain.origin.source, plain.origin.sequence}] = plain.content;
     const std::size_t size = bytes.size();
-    return router::Sample{plain.origin,
-                          size,
-                          std::make_shared<const Bytes>(std::move(bytes)),
-                          {true, static_cast<std::uint8_t>(before)}};
+    return router::Sample{plain.origin, size, std::make_shared<const Bytes>(std::move(bytes)),
+                          *coding};
   }
   /// As LinkEvents of the router has it.
   bool restore(const router::Sample& sample) {

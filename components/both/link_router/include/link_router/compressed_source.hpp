@@ -17,8 +17,6 @@ namespace tocsin::router {
 inline constexpr std::size_t kept_bases = 16;
 /// [B] A larger sample is no base.
 inline constexpr std::size_t largest_base = 8192;
-/// [B] A larger one is not compressed.
-inline constexpr std::size_t largest_compressed = 1U << 20U;
 
 /// Makes a sample smaller for who has `base`; null: nothing. Nothing when it cannot.
 using Compress = std::function<std::optional<Sample>(const Sample& plain, const Sample* base)>;

@@ -56,7 +56,8 @@ std::optional<SampleCodec::Bytes> SampleCodec::restore(const Bytes& compressed, 
   const std::size_t size = ZSTD_findFrameCompressedSize(frame.data(), frame.size());
   if (ZSTD_isError(size) != 0 || frame.size() - size > most_padding) return std::nullopt;
   const unsigned long long claimed = ZSTD_getFrameContentSize(frame.data(), size);
-  if (claimed > largest) return std::nullopt;  // so are both values that tell an error
+  if (claimed > SampleCoding::largest)
+    return std::nullopt;  // so are both values that tell an error
   Bytes plain(static_cast<std::size_t>(claimed));
   ZSTD_DCtx* const context = contexts_->restore.get();
   ZSTD_DCtx_refPrefix(context, base.data(), base.size());

@@ -297,12 +297,12 @@ CarriedSample FastDdsLinkBus::join(const CarriedSample& last,
 
 std::optional<CarriedSample> FastDdsLinkBus::compress(const CarriedSample& sample,
                                                       const CarriedSample* base) {
-  const std::uint64_t before = base != nullptr ? sample.sequence - base->sequence : 0;
-  if (before > SampleCoding::farthest) return std::nullopt;
+  const auto coding = coding_of(sample, base);
+  if (!coding) return std::nullopt;
   auto bytes =
       codec_.compress(content_of(sample).bytes, base != nullptr ? content_of(*base).bytes : none);
   CarriedSample compressed = with_content(sample, std::move(bytes));
-  compressed.coding = {true, static_cast<std::uint8_t>(before)};
+  compressed.coding = *coding;
   return compressed;
 }
 

@@ -79,8 +79,8 @@ TEST(SampleCodec, DamagedBytesGiveNothing) {
 
 TEST(SampleCodec, WhatClaimsToBeHugeIsNotRestored) {
   SampleCodec sut;
-  EXPECT_FALSE(sut.restore(sut.compress(Bytes(SampleCodec::largest + 1), {}), {}));
-  EXPECT_TRUE(sut.restore(sut.compress(Bytes(SampleCodec::largest), {}), {}));
+  EXPECT_FALSE(sut.restore(sut.compress(Bytes(SampleCoding::largest + 1), {}), {}));
+  EXPECT_TRUE(sut.restore(sut.compress(Bytes(SampleCoding::largest), {}), {}));
   EXPECT_FALSE(sut.restore({}, {}));
   EXPECT_FALSE(sut.restore({0, 1, 0, 0}, {}));
 }

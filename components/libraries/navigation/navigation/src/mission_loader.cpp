@@ -19,27 +19,28 @@ namespace {
 
 constexpr double far_m = 1e5;
 
-struct Waypoint {
+struct WaypointEntry {
   double x = 0;
   double y = 0;
   double yaw = 0;
+  double send_s = 0;
   template <class Visitor>
   void visit(Visitor& v) {
     v("x", x, {-far_m, far_m}, "[m]");
     v("y", y, {-far_m, far_m}, "[m]");
     v("yaw", yaw, {-2 * pi, 2 * pi}, "[rad]");
+    v("send_s", send_s, {0, 3600}, "[s]");
   }
 };
 
-geometry::Pose read_waypoint(const YAML::Node& node, const std::string& owner,
-                             const std::string& path) {
-  const auto point = load_parameters<Waypoint>(node, owner, path);
+Waypoint read_waypoint(const YAML::Node& node, const std::string& owner, const std::string& path) {
+  const auto point = load_parameters<WaypointEntry>(node, owner, path);
   for (const char* key : {"x", "y"}) {
     if (!node.IsMap() || !node[key]) {
       throw ConfigError(owner + "." + key + ": missing" + yaml_place(path, node));
     }
   }
-  return {point.x, point.y, geometry::wrap_angle(point.yaw)};
+  return {{point.x, point.y, geometry::wrap_angle(point.yaw)}, point.send_s};
 }
 
 void check_keys(const YAML::Node& node, const std::string& path) {
@@ -98,7 +99,7 @@ Mission read_json_mission(const std::string& path) {
   std::string line;
   for (int number = 1; std::getline(file, line); ++number) {
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    mission.waypoints.push_back(read_json_waypoint(line, path + ":" + std::to_string(number)));
+    mission.waypoints.push_back({read_json_waypoint(line, path + ":" + std::to_string(number))});
   }
   return mission;
 }

@@ -12,11 +12,13 @@
 namespace tocsin::navigation {
 namespace {
 
-std::string line_of(const geometry::Pose& pose) {
+std::string line_of(const Waypoint& waypoint) {
   std::array<char, 128> text{};
-  const int length = std::snprintf(text.data(), text.size(), "  - {x: %.4f, y: %.4f, yaw: %.4f}\n",
-                                   pose.x_m, pose.y_m, pose.heading_rad);
-  return {text.data(), static_cast<std::size_t>(length)};
+  const int length = std::snprintf(text.data(), text.size(), "  - {x: %.4f, y: %.4f, yaw: %.4f",
+                                   waypoint.x_m, waypoint.y_m, waypoint.heading_rad);
+  std::string line(text.data(), static_cast<std::size_t>(length));
+  if (waypoint.send_s > 0) line += ", send_s: " + YAML::Dump(YAML::Node(waypoint.send_s));
+  return line + "}\n";
 }
 
 }  // namespace
@@ -24,7 +26,7 @@ std::string line_of(const geometry::Pose& pose) {
 std::string mission_text(const Mission& mission) {
   std::string text = "name: " + YAML::Dump(YAML::Node(mission.name)) +
                      "\nframe: " + YAML::Dump(YAML::Node(mission.frame)) + "\nwaypoints:\n";
-  for (const geometry::Pose& pose : mission.waypoints) text += line_of(pose);
+  for (const Waypoint& waypoint : mission.waypoints) text += line_of(waypoint);
   return text;
 }
 

@@ -69,6 +69,13 @@ geometry::Twist PathFollower::back_up(Duration dt) { return limited({-0.1, 0}, d
 
 geometry::Twist PathFollower::halt() { return velocity_ = {0, 0}; }
 
+geometry::Path PathFollower::rest(const geometry::Point& from) const {
+  geometry::Path rest{from};
+  const std::size_t next = std::min(segment_ + 1, path_.size());
+  rest.insert(rest.end(), path_.begin() + static_cast<std::ptrdiff_t>(next), path_.end());
+  return rest;
+}
+
 void PathFollower::advance(const geometry::Point& p) {
   deviation_m_ = std::numeric_limits<double>::infinity();
   double ahead_m = -share_ * length_m(segment_);

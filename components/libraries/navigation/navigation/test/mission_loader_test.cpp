@@ -92,6 +92,7 @@ TEST_F(LoadMission, NamesFileLineAndKeyOfWhatIsWrong) {
       {"m.yaml", "waypoints:\n  - {x: 0, y: 0}\n  - {x: .nan, y: 1}\n", "waypoint 2.x"},
       {"m.yaml", "waypoints:\n  - {x: 0, y: 0}\n  - {x: .nan, y: 1}\n", "m.yaml:3"},
       {"m.yaml", "waypoints:\n  - {x: 0}\n", "waypoint 1.y: missing"},
+      {"m.yaml", "waypoints: [{x: 1, y: 1, send_s: 3601}]\n", "waypoint 1.send_s"},
       {"m.yaml", "waypoints: [3]\n", "waypoint 1"},
       {"m.yaml", "waypoints: [null]\n", "waypoint 1"},
       {"m.yaml", "wayponts: []\n", "wayponts: unknown key; allowed: name, frame, waypoints"},
@@ -111,7 +112,7 @@ class RequireFree : public ::testing::Test {
  protected:
   static std::string error_at(double x, double y) {
     const auto map = drawn_map({"#####", "#...#", "#.?.#", "#...#", "#####"});
-    const Mission mission{"m", "map", {{1.5, 1.5, 0}, {x, y, 0}}, "m.yaml"};
+    const Mission mission{"m", "map", {{{1.5, 1.5, 0}}, {{x, y, 0}}}, "m.yaml"};
     return error_of([&] { require_free(mission, map, 0.4); });
   }
 };

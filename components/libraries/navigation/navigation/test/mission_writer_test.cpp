@@ -11,7 +11,7 @@ namespace {
 
 TEST(WriteMission, IsReadAgainByLoadMission) {
   const TemporaryFolder folder;
-  Mission mission{"a: b #c", "map", {{1.5, -2.25, 0.5}, {0, 1e-4, -3.1}}, ""};
+  Mission mission{"a: b #c", "map", {{{1.5, -2.25, 0.5}, 12.5}, {{0, 1e-4, -3.1}}}, ""};
   write_mission(mission, folder.path("m.yaml"));
   const Mission read = load_mission(folder.path("m.yaml"));
   EXPECT_EQ(read.name, mission.name);
@@ -21,6 +21,7 @@ TEST(WriteMission, IsReadAgainByLoadMission) {
     EXPECT_NEAR(read.waypoints[i].x_m, mission.waypoints[i].x_m, 1e-4);
     EXPECT_NEAR(read.waypoints[i].y_m, mission.waypoints[i].y_m, 1e-4);
     EXPECT_NEAR(read.waypoints[i].heading_rad, mission.waypoints[i].heading_rad, 1e-4);
+    EXPECT_EQ(read.waypoints[i].send_s, mission.waypoints[i].send_s);
   }
 }
 

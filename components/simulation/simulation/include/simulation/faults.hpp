@@ -30,6 +30,8 @@ enum class FaultKind : std::uint8_t {
   laser_covered,   ///< the left half of the laser measures nothing
   slip,            ///< a share `amount` of what the wheels turn does not move the vehicle
   kidnap,          ///< the vehicle is put to a free place up to `amount` metres away, for good
+  access_point,    ///< the access point is put `amount` metres along x, for good
+  pose_stuck,      ///< modelled_localiser says the same place again and again
 };
 
 /// One fault, at a time after the start of the run.
@@ -50,7 +52,9 @@ using FaultPlan = std::vector<Fault>;
 /// Besides them, in every second run, a stop, and in the half of these somebody who publishes
 /// velocities meanwhile; in every third run a router is frozen, in every fourth somebody forges.
 /// Where the base has a laser, something is wrong with it in every second run; where a localiser
-/// runs, the wheels slip in every third and the vehicle is carried off in every fourth.
+/// runs, the wheels slip in every third and the vehicle is carried off in every fourth. Where a
+/// link_mapper runs, the access point is moved in every third, by 3 to 15 m; where a
+/// modelled_localiser runs, it is stuck in every third.
 /// These are drawn from numbers of their own: a kind that is added does not change what a seed
 /// draws of the others.
 [[nodiscard]] FaultPlan random_faults(std::uint64_t seed, const deployment::Deployment& deployment);

@@ -23,7 +23,7 @@ struct GoalName {
 
 /// Leads the vehicle through one mission after the other: sends waypoint after waypoint as goals,
 /// and judges arrival by the reported location or by the navigator's own word, whichever comes
-/// first.
+/// first. Where the vehicle stands to send what it has stored, its word alone counts.
 ///
 /// Pure: no clock, no I/O. `now` must not decrease between calls. A goal is a lease: it is renewed
 /// while mission control lives, so that a vehicle out of reach stops when the lease is over, and
@@ -70,10 +70,10 @@ class MissionControl {
   struct Goal {
     GoalName name;
     std::uint32_t waypoint = 0;
-    geometry::Pose pose;
+    navigation::Waypoint pose;
     double tolerance_m = 0;
     double lifetime_s = 0;
-    std::vector<geometry::Pose> ahead;
+    std::vector<navigation::Waypoint> ahead;
   };
 
   /// How an arrival was told.
@@ -152,7 +152,7 @@ class MissionControl {
   [[nodiscard]] bool is_told_waypoint() const;
   [[nodiscard]] bool was_taken_over() const;
   void draw_identity();
-  [[nodiscard]] std::vector<geometry::Pose> waypoints_ahead() const;
+  [[nodiscard]] std::vector<navigation::Waypoint> waypoints_ahead() const;
   [[nodiscard]] double distance_m() const;
 
   /// Ids of goals that hold the vehicle during a pause or after a stop: this and the waypoint's

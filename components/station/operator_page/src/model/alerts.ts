@@ -3,7 +3,7 @@ import type { ConnectionState } from "../protocol/connection.ts";
 import { type Heard, ageText, staleAfterMs, vehicleLostAfterMs } from "./freshness.ts";
 import type { Severity } from "./journal.ts";
 import { figuresOf, gradeLink, measuredWithinMs } from "./link_grade.ts";
-import { reasonText } from "./reasons.ts";
+import { reasonText, standingText } from "./reasons.ts";
 import { type Station, hindrances } from "./station.ts";
 
 /** What the operator must know before all else: one line, not a stack of them. */
@@ -56,14 +56,12 @@ function safetyAlert({ safety }: Station): Alert | undefined {
     : { severity: "error", text: `The vehicle is not protected: ${hindered.join(", ")}.` };
 }
 
-const motionTexts: Readonly<Record<string, string>> = {
-  blocked: "The vehicle is blocked: it finds no way to its goal.",
-  held: "The vehicle holds: its goal was not renewed in time.",
-};
-
 function motionAlert({ navigation }: Station): Alert | undefined {
-  const text = motionTexts[navigation?.value.state ?? ""];
-  return text === undefined ? undefined : { severity: "warning", text };
+  if (navigation === undefined) return undefined;
+  const { state, reason } = navigation.value;
+  const text = standingText(state, reason);
+  const severity = reason === "sending" ? "info" : "warning";
+  return text === undefined ? undefined : { severity, text: `The vehicle ${text}.` };
 }
 
 function pausedAlert(station: Station, now: number): Alert | undefined {

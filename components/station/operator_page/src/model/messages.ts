@@ -9,7 +9,8 @@ export type Pose = geometry_msgs.Pose;
 export type NetworkQuality = tocsin_msgs.NetworkQuality;
 export type TransmissionState = tocsin_msgs.TransmissionState;
 export type Heartbeat = tocsin_msgs.Heartbeat;
-export type Waypoint = tocsin_msgs.Waypoint;
+/** A pose. */
+export type Waypoint = Omit<tocsin_msgs.Waypoint, "send_s">;
 export type Goal = tocsin_msgs.Goal;
 export type NavigationStatus = tocsin_msgs.NavigationStatus;
 export type PlanChoice = tocsin_msgs.PlanChoice;

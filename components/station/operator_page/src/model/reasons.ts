@@ -20,3 +20,21 @@ const words: Readonly<Record<string, string>> = {
 
 /** The policy's own word where there is no better one. */
 export const reasonText = (reason: string): string => words[reason] ?? reason;
+
+/** Why the vehicle does not drive on: of the reasons of navigation_status, which begin the sentence "The vehicle". */
+const standing: Readonly<Record<string, string>> = {
+  no_path: "is blocked: it finds no way to its goal",
+  stuck: "is blocked: it does not move",
+  goal_expired: "holds: its goal was not renewed in time",
+  link_lost: "does not hear the station, and does what it was told for that",
+  no_pose: "holds: it does not know where it is",
+  no_scan: "holds: its laser is silent",
+  emergency_stop: "holds: emergency stop",
+  sending: "stands to send what it has stored",
+};
+
+/** Nothing for a vehicle that drives, is there, or has nowhere to go. */
+export function standingText(state: string, reason: string): string | undefined {
+  if (state !== "blocked" && state !== "held") return undefined;
+  return standing[reason] ?? (state === "blocked" ? "is blocked" : "holds");
+}

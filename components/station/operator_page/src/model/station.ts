@@ -34,7 +34,7 @@ import {
   roleOf,
 } from "./messages.ts";
 import { withTile } from "./map_update.ts";
-import { reasonText } from "./reasons.ts";
+import { reasonText, standingText } from "./reasons.ts";
 import { Route } from "./route.ts";
 import { ScanOnMap } from "./scan.ts";
 import { DecisionSeries } from "./series.ts";
@@ -241,9 +241,10 @@ export class Station {
   #onNavigation(value: NavigationStatus, at: number): void {
     this.navigation = { value, at };
     this.route.onStatus(value);
-    const isBad = value.state === "blocked" || value.state === "held";
-    const text = isBad ? `vehicle: ${value.state}` : "";
-    this.journal.onChange("navigation", { at, severity: "warning", source: "vehicle", text });
+    const standing = standingText(value.state, value.reason);
+    const text = standing === undefined ? "" : `the vehicle ${standing}`;
+    const severity = value.reason === "sending" ? "info" : "warning";
+    this.journal.onChange("navigation", { at, severity, source: "vehicle", text });
   }
 
   #onSafety(value: SafetyStatus, at: number): void {

@@ -34,7 +34,7 @@ export function MissionPanel({ operator, now }: { operator: Operator; now: numbe
         <Value label="Waypoint" heard={station.mission} now={now} show={waypointText} />
         <Value label="Time" heard={station.mission} now={now} show={({ elapsed_s }) => minutes(elapsed_s)} />
         <Value label="Vehicle" heard={station.navigation} now={now} bad={({ state }) => state === "blocked"}
-          show={({ state }) => state} />
+          show={({ state, reason }) => (reason === "" ? state : `${state}: ${reason.replaceAll("_", " ")}`)} />
         <Value label="To go" heard={station.navigation} now={now} show={({ distance_m }) => number(distance_m, 1, "m")} />
         {station.choice && <Value label="Way" heard={station.choice} now={now} show={wayText} />}
         <Value label="At" heard={station.location} now={now}

@@ -44,7 +44,7 @@ void write_picture(const CoverOptions& options, const std::string& picture) {
 navigation::Mission mission_of(const coverage::CoveragePlan& plan, const std::string& path) {
   navigation::Mission mission;
   mission.name = std::filesystem::path(path).stem().string();
-  for (const coverage::Stop& stop : plan.stops) mission.waypoints.push_back(stop.pose);
+  for (const coverage::Stop& stop : plan.stops) mission.waypoints.push_back({stop.pose});
   return mission;
 }
 

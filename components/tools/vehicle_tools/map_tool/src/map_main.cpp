@@ -12,6 +12,7 @@
 #include "foundation/replace_file.hpp"
 #include "link.hpp"
 #include "navigation/map_writer.hpp"
+#include "order.hpp"
 #include "replay.hpp"
 #include "save.hpp"
 
@@ -128,6 +129,24 @@ int print_link(const LinkOptions& options) {
   return 0;
 }
 
+void declare(CLI::App& app, OrderOptions& options) {
+  app.add_option("MISSION", options.mission, "mission file; its first and last waypoint stay")
+      ->required();
+  app.add_option("--map", options.map, "map in the format of ROS's map_server (YAML)")->required();
+  app.add_option("--link", options.link,
+                 "positions with signal, as link_mapper and tocsin map link have them; without "
+                 "it the shortest way");
+  app.add_option("-o,--output", options.out, "mission file to write")->required();
+  app.add_option("--detour", options.most_detour,
+                 "share by which the way may be longer to keep the link [0.15]")
+      ->check(CLI::Range(0.0, 10.0));
+}
+
+int print_order(const OrderOptions& options) {
+  std::fputs(order(options).c_str(), stdout);
+  return 0;
+}
+
 int print_cover(const CoverOptions& options) {
   std::fputs(cover(options).c_str(), stdout);
   return 0;
@@ -161,5 +180,10 @@ int main(int argc, char** argv) {
       *verbs.add("link", "learns where the signal is good, and how well that foretells the rest",
                  [&] { return tocsin::map_tool::print_link(link); }),
       link);
+  tocsin::map_tool::OrderOptions order;
+  tocsin::map_tool::declare(
+      *verbs.add("order", "orders the waypoints of a mission: a short way that keeps the link",
+                 [&] { return tocsin::map_tool::print_order(order); }),
+      order);
   return verbs.run(argc, argv);
 }

@@ -8,13 +8,17 @@
 namespace tocsin {
 namespace {
 
+bool is_valid(const navigation::Waypoint& place) {
+  return is_finite(place) && place.send_s >= 0 && place.send_s <= 3600;
+}
+
 bool is_valid(const Goal& goal) {
   const std::uint64_t ids_left = std::numeric_limits<std::uint64_t>::max() - goal.id;
-  return goal.id != 0 && goal.ahead.size() <= ids_left && is_finite(goal.pose) &&
+  return goal.id != 0 && goal.ahead.size() <= ids_left && is_valid(goal.pose) &&
          goal.tolerance_m >= 0.05 && goal.tolerance_m <= 5 &&
          goal.ahead.size() <= Goal::most_ahead &&
          std::all_of(goal.ahead.begin(), goal.ahead.end(),
-                     [](const geometry::Pose& pose) { return is_finite(pose); });
+                     [](const navigation::Waypoint& place) { return is_valid(place); });
 }
 
 }  // namespace

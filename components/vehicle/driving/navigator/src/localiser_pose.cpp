@@ -8,6 +8,10 @@ namespace {
 
 constexpr double most_deviation_m = 0.5;
 constexpr double most_step_m = 0.5;  // of odometry from message to message
+/// A localiser that has moved less than that, where odometry has moved by more, is stuck: or the
+/// wheels turn in vain.
+constexpr double unmoved_m = 0.1;
+constexpr double moved_m = 0.6;
 
 }  // namespace
 
@@ -17,6 +21,7 @@ void LocaliserPose::on_odometry(std::int64_t stamp_ns, const geometry::Pose& odo
   if (has_jumped) {  // a driver that began anew
     odometry_.clear();
     sure_.reset();
+    before_.reset();
   }
   odometry_.add(stamp_ns, odom);
   odom_ = odom;
@@ -27,8 +32,20 @@ void LocaliserPose::on_localiser(std::int64_t stamp_ns, const geometry::Pose& po
   if (!is_finite(pose) || !(deviation_m <= most_deviation_m)) return sure_.reset();
   const auto odom = odometry_.at(stamp_ns);
   if (!odom) return;
+  if (is_stuck(pose, *odom, now)) return sure_.reset();
   map_from_odom_ = compose(pose, inverse(*odom));
   sure_ = now;
+}
+
+/// For as long as its timeout: a vehicle that stands cannot find out more.
+bool LocaliserPose::is_stuck(const geometry::Pose& pose, const geometry::Pose& odom, Time now) {
+  if (!before_) before_ = Both{pose, odom};
+  if (distance(position(before_->odom), position(odom)) > moved_m) {
+    const bool has_moved = distance(position(before_->pose), position(pose)) > unmoved_m;
+    if (!has_moved) stuck_until_ = now + timeout_;
+    before_ = Both{pose, odom};
+  }
+  return now < stuck_until_;
 }
 
 std::optional<geometry::Pose> LocaliserPose::pose(Time now) const {

@@ -69,7 +69,7 @@ void NavigateAction::begin(const ActionServer<Action>::Asked& asked, Navigator& 
   Goal goal;
   goal.mission = mission_of(asked.id);
   goal.id = 1;
-  goal.pose = geometry::pose_in(asked.goal->pose().pose());
+  goal.pose = {geometry::pose_in(asked.goal->pose().pose())};
   goal.expires = now + seconds(timeout_s_);
   const geometry::Pose to = goal.pose;
   const GoalAnswer answer = navigator.on_local_goal(std::move(goal), now);

@@ -35,7 +35,8 @@ Navigator::Navigator(const Params& params, navigation::OccupancyMap map,
     : params_(params),
       surroundings_(params.surroundings, params.inflation, std::move(map), std::move(costs)),
       follower_(params.follower),
-      reconnection_(params.reconnection) {}
+      reconnection_(params.reconnection),
+      send_stop_(params.send_stop) {}
 
 void Navigator::set_live(const Params& params) {
   params_.link_lost_after_s = params.link_lost_after_s;
@@ -80,9 +81,10 @@ Navigator::Output Navigator::update(Time now) {
   if (reason != nullptr && !stands_at_goal()) {
     return stand(State::held, follower_.brake(dt), reason);
   }
-  if (reason == nullptr && stands_at_goal()) (void)goals_.advance();
+  if (reason == nullptr && stands_at_goal() && !sends_at_goal(now)) (void)goals_.advance();
   const Goal& goal = *goals_.present();
-  return drive({goals_.present_number(), goal.pose, goal.tolerance_m}, now, dt);
+  Output output = drive({goals_.present_number(), goal.pose, goal.tolerance_m}, now, dt);
+  return sends_at_goal(now) ? stand(State::held, output.velocity, "sending") : output;
 }
 
 /// With a goal, when what is missing is the pose; stands otherwise.
@@ -101,6 +103,18 @@ bool Navigator::is_busy(Time now) const {
 
 bool Navigator::stands_at_goal() const {
   return reached_ && target_key_ == goals_.present_number();
+}
+
+bool Navigator::sends_at_goal(Time now) {
+  return stands_at_goal() &&
+         send_stop_.stands_at_goal(goals_.present_number(), goals_.present()->pose.send_s, now);
+}
+
+bool Navigator::sends_on_way(const Target& target, Time now) {
+  const auto& link = surroundings_.link();
+  if (!link || target.key != goals_.present_number()) return false;
+  return send_stop_.stands_on_way(target.key, follower_.rest(position(pose_)),
+                                  params_.follower.speed_mps, *link, now);
 }
 
 Navigator::Status Navigator::status(State state, double distance_m, const char* reason) const {
@@ -226,6 +240,7 @@ Navigator::Output Navigator::drive_path(const Target& target, Time now, Duration
     ++plans_;
     blocked_since_.reset();
   }
+  if (sends_on_way(target, now)) return stand(State::held, follower_.brake(dt), "sending");
   if (is_stuck(now)) return block(now, "stuck");
   const geometry::Twist velocity = follow_with_care(dt);
   // The next update plans from where the vehicle is then.

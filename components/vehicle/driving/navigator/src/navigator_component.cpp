@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "foundation/role.hpp"
@@ -65,6 +66,7 @@ void NavigatorComponent::tick(Time now) {
   if (obstacles_) obstacles_->take(navigator_, now);
   if (costmaps_) costmaps_->take(navigator_);
   if (link_) link_->take(navigator_);
+  take_store(now);
   const bool is_ordered = take_orders(now);
   report_location(now);
   if (is_turn(now) || is_ordered) {
@@ -127,6 +129,19 @@ void NavigatorComponent::take_localiser(Time now) {
                                std::sqrt(covariance[0] + covariance[y]), now);
 }
 
+/// Both hosts tell the state of their routers.
+void NavigatorComponent::take_store(Time now) {
+  while (const auto state = link_state_.take()) {
+    if (role_of(state->role()) != context().role) continue;
+    StoreBacklog store;
+    for (const auto& topic : state->stored()) {
+      store.waiting += topic.waiting();
+      store.backfilled += topic.backfilled();
+    }
+    navigator_.on_store(store, now);
+  }
+}
+
 /// True when there was one to answer at once.
 bool NavigatorComponent::take_orders(Time now) {
   bool any = false;
@@ -148,9 +163,15 @@ void NavigatorComponent::take_goal(const topic::Goal::Message& message, Time now
   // Counted from its arrival: the clocks of both sides may differ by hours. How old it may have
   // become on its way is limited by the lifespan of its topic.
   const Duration lifetime = seconds(std::clamp(message.lifetime_s(), 0.0, 3600.0));
-  Goal goal{message.mission(),     message.id(),   {message.x(), message.y(), message.yaw()},
-            message.tolerance_m(), now + lifetime, {}};
-  for (const auto& pose : message.ahead()) goal.ahead.push_back({pose.x(), pose.y(), pose.yaw()});
+  Goal goal{message.mission(),
+            message.id(),
+            {{message.x(), message.y(), message.yaw()}, message.send_s()},
+            message.tolerance_m(),
+            now + lifetime,
+            {}};
+  for (const auto& place : message.ahead()) {
+    goal.ahead.push_back({{place.x(), place.y(), place.yaw()}, place.send_s()});
+  }
   const auto answer = navigator_.on_goal(std::move(goal), now);
   if (answer == GoalAnswer::renewed) return;
   log().info("goal {} of mission {:x} to waypoint {} at ({:.2f}, {:.2f}): {}", message.id(),
@@ -182,8 +203,10 @@ void NavigatorComponent::report_location(Time now) {
 }
 
 void NavigatorComponent::report_status(const Navigator::Status& status, Time now) {
+  const bool stands = status.state != Navigator::State::driving;
   const bool has_changed = status.state != reported_.state || status.goal_id != reported_.goal_id ||
-                           status.mission != reported_.mission;
+                           status.mission != reported_.mission ||
+                           (stands && std::string_view(status.reason) != reported_.reason);
   if (!has_changed && now < next_status_) return;
   topic::NavigationStatus::Message message;
   message.stamp(wall(now));
@@ -191,6 +214,7 @@ void NavigatorComponent::report_status(const Navigator::Status& status, Time now
   message.mission(status.mission);
   message.state(to_string(status.state));
   message.distance_m(status.distance_m);
+  message.reason(status.reason);
   if (status_.write(std::move(message)) == Status::failed) return;
   if (has_changed) log_change(status);
   reported_ = status;

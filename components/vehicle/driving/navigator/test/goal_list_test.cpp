@@ -13,8 +13,9 @@ constexpr Time t0{std::chrono::hours(1)};
 /// Goal `id` at x = id, and as many ahead at x = id + 1, ...
 Goal goal(std::uint64_t id, std::size_t ahead, double lifetime_s = 60) {
   const auto x = static_cast<double>(id);
-  Goal goal{1, id, {x, 0, 0}, 0.15, t0 + seconds(lifetime_s), {}};
-  for (std::size_t k = 1; k <= ahead; ++k) goal.ahead.push_back({x + static_cast<double>(k), 0, 0});
+  Goal goal{1, id, {{x, 0, 0}}, 0.15, t0 + seconds(lifetime_s), {}};
+  for (std::size_t k = 1; k <= ahead; ++k)
+    goal.ahead.push_back({{x + static_cast<double>(k), 0, 0}});
   return goal;
 }
 
@@ -61,6 +62,12 @@ TEST(GoalList, RefusesWhatIsNotFiniteAheadAndTooMuch) {
   GoalList sut;
   EXPECT_FALSE(sut.advance());
   Goal bad = goal(1, 2);
+  bad.ahead[1].send_s = 3601;
+  EXPECT_EQ(sut.on_goal(bad, t0), GoalAnswer::invalid);
+  bad = goal(1, 2);
+  bad.pose.send_s = -1;
+  EXPECT_EQ(sut.on_goal(bad, t0), GoalAnswer::invalid);
+  bad = goal(1, 2);
   bad.ahead[1].heading_rad = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(sut.on_goal(bad, t0), GoalAnswer::invalid);
   EXPECT_EQ(sut.on_goal(goal(1, 33), t0), GoalAnswer::invalid);

@@ -57,6 +57,26 @@ TEST(LocaliserPose, OdometryThatJumpsWaitsForTheLocaliser) {
   EXPECT_TRUE(sut.pose(now));
 }
 
+TEST(LocaliserPose, OneThatStaysWhereItIsWhileTheVehicleDrivesDoesNotCount) {
+  LocaliserPose sut{seconds(2)};
+  Time now = Time{} + seconds(100);
+  std::int64_t stamp_ns = 1000 * ms;
+  double odom_m = 0;
+  const auto drive = [&](double by_m, double pose_m) {
+    stamp_ns += 100 * ms;
+    now += seconds(0.1);
+    odom_m += by_m;
+    sut.on_odometry(stamp_ns, {odom_m, 0, 0});
+    sut.on_localiser(stamp_ns, {pose_m, 3, 0}, 0.1, now);
+  };
+  for (int i = 0; i < 20; ++i) drive(0.1, 5 + 0.1 * i);
+  EXPECT_TRUE(sut.pose(now)) << "it goes with the odometry";
+  for (int i = 0; i < 15; ++i) drive(0.1, 6.9);
+  EXPECT_FALSE(sut.pose(now));
+  for (int i = 0; i < 22; ++i) drive(0, 6.9);
+  EXPECT_TRUE(sut.pose(now)) << "a vehicle that stands cannot tell";
+}
+
 /// By a localiser that is right, and says how sure it is.
 class LocalisedNavigatorTest : public NavigatorComponentTest {
  protected:

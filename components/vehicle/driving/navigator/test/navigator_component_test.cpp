@@ -145,6 +145,31 @@ TEST_F(NavigatorComponentTest, AGoalLivesFromItsArrivalWhateverTheClocksSay) {
   }
 }
 
+TEST_F(NavigatorComponentTest, StandsAtAGoalForWhatItsOwnRouterHasStored) {
+  const auto tell_store = [this](const char* role, std::uint32_t waiting) {
+    topic::LinkState::Message state;
+    state.role(role);
+    state.stored().resize(2);
+    state.stored()[1].waiting(waiting);
+    bus_.publish<topic::LinkState>(state);
+  };
+  run(0.2);
+  goal_.send_s(20);
+  send_goal(5, 0);
+  for (int i = 0; i < 6; ++i) {
+    tell_store("uxv", 50);
+    tell_store("gcs", 0);
+    run(1);
+  }
+  EXPECT_EQ(status_.state(), "held");
+  EXPECT_EQ(status_.reason(), "sending");
+  EXPECT_NEAR(odom_.x_m, 1, 0.2);
+  tell_store("uxv", 0);
+  run(1);
+  EXPECT_EQ(status_.state(), "reached");
+  EXPECT_EQ(status_.reason(), "");
+}
+
 TEST_F(NavigatorComponentTest, TakesTheWaypointsAheadOutOfAGoal) {
   run(0.2);
   goal_.ahead().resize(1);

@@ -42,7 +42,7 @@ TEST(Navigator, StopsWithinTheToleranceEvenWhenTheBaseLags) {
     vehicle.pose = {1.5, 1.5, 0};
     const geometry::Pose goal{1.5 + std::cos(direction), 1.5 + std::sin(direction), 0};
     const Time later = vehicle.now + seconds(60);
-    ASSERT_EQ(vehicle.sut.on_goal({1, 1, goal, 0.1, later, {}}, vehicle.now), Answer::accepted);
+    ASSERT_EQ(vehicle.sut.on_goal({1, 1, {goal}, 0.1, later, {}}, vehicle.now), Answer::accepted);
     EXPECT_EQ(vehicle.run(20).status.state, State::reached);
     EXPECT_LE(vehicle.distance_to(goal), 0.1) << direction;
   }
@@ -121,7 +121,7 @@ TEST(Navigator, RefusesGoalsThatMakeNoSense) {
   } const bad[] = {{0, {1, 1, 0}, 0.2}, {1, {nan, 1, 0}, 0.2}, {1, {1, 1, nan}, 0.2},
                    {1, {1, 1, 0}, nan}, {1, {1, 1, 0}, 0.049}, {1, {1, 1, 0}, 5.01}};
   for (const auto& [id, pose, tolerance_m] : bad) {
-    EXPECT_EQ(vehicle.sut.on_goal({1, id, pose, tolerance_m, t0 + seconds(9), {}}, t0),
+    EXPECT_EQ(vehicle.sut.on_goal({1, id, {pose}, tolerance_m, t0 + seconds(9), {}}, t0),
               Answer::invalid);
   }
   EXPECT_EQ(vehicle.run(1).status.state, State::idle);

@@ -54,12 +54,12 @@ class Vehicle {
     return output;
   }
   Answer send(std::uint64_t id, const geometry::Pose& to, double lifetime_s = 1000) {
-    return sut.on_goal({mission, id, to, 0.15, now + seconds(lifetime_s), {}}, now);
+    return sut.on_goal({mission, id, {to}, 0.15, now + seconds(lifetime_s), {}}, now);
   }
   Answer send_list(std::uint64_t id, const std::vector<geometry::Pose>& poses,
                    double lifetime_s = 1000) {
-    Goal goal{mission, id, poses.front(), 0.15, now + seconds(lifetime_s), {}};
-    goal.ahead.assign(poses.begin() + 1, poses.end());
+    Goal goal{mission, id, {poses.front()}, 0.15, now + seconds(lifetime_s), {}};
+    for (std::size_t i = 1; i < poses.size(); ++i) goal.ahead.push_back({poses[i]});
     return sut.on_goal(goal, now);
   }
   double distance_to(const geometry::Pose& to) const {

@@ -4,20 +4,12 @@
 #include <utility>
 
 #include "foundation/replace_file.hpp"
-#include "foundation/some_of.hpp"
 #include "link_map/signal_file.hpp"
 
 namespace tocsin {
-namespace {
-
-constexpr std::size_t most_places = 300;  // a tenth of a second of learning
-
-}  // namespace
-
 void LinkMapWorker::learn(link_map::Survey survey) {
   background_->post([this, survey = std::move(survey)] {
-    const auto places = some_of(survey.places(), most_places);
-    LinkGrid grid = grid_of(link_map::LinkMap(places), fit_loss_curve(survey.readings()), places);
+    link_map::LinkGrid grid = grid_of(survey);
     const std::lock_guard<std::mutex> lock(mutex_);
     grid_ = std::move(grid);
   });
@@ -32,7 +24,7 @@ void LinkMapWorker::save(const std::string& path, std::vector<link_map::Reading>
   });
 }
 
-std::optional<LinkGrid> LinkMapWorker::take_grid() {
+std::optional<link_map::LinkGrid> LinkMapWorker::take_grid() {
   const std::lock_guard<std::mutex> lock(mutex_);
   return std::exchange(grid_, std::nullopt);
 }

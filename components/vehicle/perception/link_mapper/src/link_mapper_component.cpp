@@ -85,12 +85,13 @@ void LinkMapperComponent::learn(Time now) {
   worker_.learn(survey_);
 }
 
-nav_msgs::msg::OccupancyGrid LinkMapperComponent::message_of(const LinkGrid& grid, Time now) const {
+nav_msgs::msg::OccupancyGrid LinkMapperComponent::message_of(const link_map::LinkGrid& grid,
+                                                             Time now) const {
   nav_msgs::msg::OccupancyGrid message;
   message.header().stamp(wall(now));
   message.header().frame_id("map");
   message.info().map_load_time(wall(now));
-  message.info().resolution(static_cast<float>(LinkGrid::cell_m));
+  message.info().resolution(static_cast<float>(link_map::LinkGrid::cell_m));
   message.info().width(static_cast<std::uint32_t>(grid.width));
   message.info().height(static_cast<std::uint32_t>(grid.height));
   message.info().origin().position().x(grid.origin.x_m);

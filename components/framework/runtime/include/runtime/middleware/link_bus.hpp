@@ -53,6 +53,12 @@ struct CarriedSample {
   std::int64_t sent_wall_ns = 0;        ///< [ns] since the Unix epoch, that writer's clock
   SampleCoding coding{};                ///< of the content
 };
+/// Of a sample that is compressed by `base` (null: by itself); nothing where it is too far before.
+[[nodiscard]] inline std::optional<SampleCoding> coding_of(const CarriedSample& sample,
+                                                           const CarriedSample* base) {
+  return compressed_by(sample.sequence,
+                       base != nullptr ? std::optional(base->sequence) : std::nullopt);
+}
 
 /// Given by the bus; never used again.
 using FlowId = std::uint32_t;

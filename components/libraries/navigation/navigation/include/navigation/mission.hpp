@@ -12,19 +12,26 @@ namespace tocsin::navigation {
 
 inline constexpr std::size_t most_waypoints = 4095;  ///< of a mission
 
+/// A pose to drive to.
+struct Waypoint : geometry::Pose {
+  /// [s] [range 0,3600] that a vehicle stands there at most until its stored samples have crossed
+  /// the link.
+  double send_s = 0;
+};
+
 /// Places to visit one after the other.
 struct Mission {
   std::string name;
   std::string frame = "map";
-  std::vector<geometry::Pose> waypoints;
+  std::vector<Waypoint> waypoints;
   std::string file;  // where it was read, for error texts
 };
 
-/// Reads a mission: our YAML (`name`, `frame`, `waypoints: [{x, y, yaw}, ...]`) or, from a file
-/// named *.jsonl, the JSON lines of the thesis (one waypoint a line: posx, posy and the quaternion
-/// orx, ory, orz, orw; latency and ts are ignored).
-/// Throws ConfigError naming file, waypoint or line, and reason. A mission has 1 to most_waypoints.
-/// The same file is read once, while it does not change.
+/// Reads a mission: our YAML (`name`, `frame`, `waypoints: [{x, y, yaw, send_s}, ...]`) or, from a
+/// file named *.jsonl, the JSON lines of the thesis (one waypoint a line: posx, posy and the
+/// quaternion orx, ory, orz, orw; latency and ts are ignored). Throws ConfigError naming file,
+/// waypoint or line, and reason. A mission has 1 to most_waypoints. The same file is read once,
+/// while it does not change.
 [[nodiscard]] Mission load_mission(const std::string& path);
 
 /// Throws ConfigError naming waypoint, position and file when a robot of this radius cannot stand

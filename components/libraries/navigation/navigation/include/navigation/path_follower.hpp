@@ -67,6 +67,8 @@ class PathFollower {
   [[nodiscard]] geometry::Twist halt();
 
   [[nodiscard]] const geometry::Path& path() const { return path_; }
+  /// What of the path lies ahead of a robot there.
+  [[nodiscard]] geometry::Path rest(const geometry::Point& from) const;
   [[nodiscard]] geometry::Twist velocity() const { return velocity_; }
   /// How far there is to go along the path [m], and how far the robot is beside it [m].
   /// Both as of the last `follow`.

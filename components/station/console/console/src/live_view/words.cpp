@@ -66,7 +66,9 @@ Line words(const tocsin_msgs::msg::MissionStatus& mission, Duration) {
 Line words(const Place& place, Duration) { return {{place_text(place)}}; }
 
 Line words(const tocsin_msgs::msg::NavigationStatus& navigation, Duration) {
+  const std::string reason = printable(navigation.reason());
   return {{", " + navigation.state(), Style::plain, 1},
+          {reason.empty() ? "" : ": " + reason, Style::plain, 2},
           {", " + number(navigation.distance_m(), 1, "m") + " to go", Style::plain, 2}};
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "foundation/time.hpp"
-#include "geometry/pose.hpp"
+#include "navigation/mission.hpp"
 
 namespace tocsin {
 
@@ -18,10 +18,10 @@ struct Goal {
 
   std::uint64_t mission = 0;  // that it belongs to; see GoalList
   std::uint64_t id = 0;       // a greater one of the same mission supersedes; 0 is none
-  geometry::Pose pose;
+  navigation::Waypoint pose;
   double tolerance_m = 0.2;  // [range 0.05,5] arrived when nearer than this
   Time expires;
-  std::vector<geometry::Pose> ahead;  // the k-th of them, from 1, is goal `id` + k
+  std::vector<navigation::Waypoint> ahead;  // the k-th of them, from 1, is goal `id` + k
 };
 
 enum class GoalAnswer {
@@ -29,8 +29,8 @@ enum class GoalAnswer {
   renewed,     // the goal that it has already, or one before it: later expiry, new list ahead
   superseded,  // older than the newest goal, or of a mission before this one: refused
   expired,     // refused
-  invalid,  // not finite, no id, more ahead than there are ids or room for, or a tolerance out of
-            // range: refused
+  invalid,     // not finite, no id, more ahead than there are ids or room for, or a tolerance or a
+               // time out of range: refused
 };
 
 /// The goals of the vehicle, driven to one after the other under one lease. So a vehicle that

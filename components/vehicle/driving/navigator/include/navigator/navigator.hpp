@@ -18,6 +18,7 @@
 #include "navigator/goal_list.hpp"
 #include "navigator/look_around.hpp"
 #include "navigator/reconnection.hpp"
+#include "navigator/send_stop.hpp"
 #include "navigator/surroundings.hpp"
 
 namespace tocsin {
@@ -42,6 +43,7 @@ class Navigator {
     OnLinkLost on_link_lost = OnLinkLost::hold;
     double link_lost_after_s = 30;
     Reconnection::Params reconnection;
+    SendStop::Params send_stop;
     double stuck_after_s = 4;
     double retry_after_s = 3;
     double replan_beside_m = 0.4;
@@ -49,7 +51,8 @@ class Navigator {
     bool look_around = false;
     Surroundings::Params surroundings;
     [[nodiscard]] bool heeds_link() const {
-      return surroundings.link_detour > 0 || on_link_lost == OnLinkLost::reconnect;
+      return surroundings.link_detour > 0 || on_link_lost == OnLinkLost::reconnect ||
+             send_stop.send_stop_s > 0;
     }
     bool align_yaw = true;
     double yaw_tolerance_rad = 0.2;
@@ -65,6 +68,7 @@ class Navigator {
       live(v)("link_lost_after_s", link_lost_after_s, {0.5, 3600},
               "[s] longer silence is a lost link");
       reconnection.visit(v);
+      send_stop.visit(v);
       v("stuck_after_s", stuck_after_s, {0.5, 60}, "[s] without moving: back up, plan again");
       v("retry_after_s", retry_after_s, {0.5, 60}, "[s] blocked for this long before a new try");
       v("replan_beside_m", replan_beside_m, {0.1, 5}, "[m] farther beside the path: plan again");
@@ -84,7 +88,7 @@ class Navigator {
     std::uint64_t goal_id = 0;
     State state = State::idle;
     double distance_m = 0;    // along the path to the goal, NaN: no path
-    const char* reason = "";  // of standing: no_pose, emergency_stop, goal_expired, link_lost, ...
+    const char* reason = "";  // as in NavigationStatus
   };
 
   struct Output {
@@ -113,6 +117,8 @@ class Navigator {
   void set_map(const navigation::OccupancyMap& map) { surroundings_.set_map(map); }
   /// Where the link is lost.
   void set_link(navigation::LinkRisk risk) { surroundings_.set_link(std::move(risk)); }
+  /// What the router says of the vehicle's stored topics.
+  void on_store(const StoreBacklog& store, Time now) { send_stop_.on_store(store, now); }
   /// What may be driven on.
   [[nodiscard]] const Surroundings& surroundings() const { return surroundings_; }
   void clear_obstacles() { surroundings_.clear_obstacles(); }
@@ -150,6 +156,8 @@ class Navigator {
   [[nodiscard]] const char* reason_to_hold(Time now) const;
   [[nodiscard]] bool is_link_lost(Time now) const;
   [[nodiscard]] bool stands_at_goal() const;
+  [[nodiscard]] bool sends_at_goal(Time now);
+  [[nodiscard]] bool sends_on_way(const Target& target, Time now);
   [[nodiscard]] Status status(State state, double distance_m, const char* reason) const;
   Output stand(State state, const geometry::Twist& velocity, const char* reason);
   [[nodiscard]] geometry::Twist look_around(Time now, Duration dt);
@@ -180,6 +188,7 @@ class Navigator {
   std::optional<geometry::Pose> home_;  // the first pose
   LookAround look_around_;
   Reconnection reconnection_;
+  SendStop send_stop_;
   std::optional<std::uint64_t> resumed_goal_;  // that it drives on to after it was heard again
   geometry::Pose pose_;
   Time pose_time_{};

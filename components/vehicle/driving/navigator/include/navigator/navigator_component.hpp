@@ -72,6 +72,7 @@ class NavigatorComponent final : public Component {
   void take_localiser(Time now);
   [[nodiscard]] std::optional<geometry::Pose> pose_by(const geometry::Pose& odom,
                                                       std::int64_t stamp_ns, Time now);
+  void take_store(Time now);
   bool take_orders(Time now);
   bool is_turn(Time now);
   void take_goal(const topic::Goal::Message& message, Time now);
@@ -86,6 +87,7 @@ class NavigatorComponent final : public Component {
   OptionalInput<topic::Goal> goal_{*this};
   EmergencyStopInput emergency_stop_{*this};
   Input<topic::Heartbeat> heartbeat_{*this};
+  OptionalInput<topic::LinkState> link_state_{*this, WakeMode::time_triggered};
   Output<topic::CmdVelNavigation> cmd_vel_{*this};
   Output<topic::Location> location_{*this};
   Output<topic::NavigationStatus> status_{*this};

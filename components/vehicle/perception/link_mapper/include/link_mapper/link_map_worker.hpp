@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "devices/background.hpp"
+#include "link_map/link_grid.hpp"
 #include "link_map/survey.hpp"
-#include "link_mapper/link_grid.hpp"
 
 namespace tocsin {
 
@@ -21,18 +21,18 @@ class LinkMapWorker {
       : background_(std::move(background)) {}
 
   [[nodiscard]] bool is_busy() const { return background_->waiting() > 0; }
-  /// At least LinkMap::least_places are there; of many places, 300 evenly chosen ones are used.
+  /// At least LinkMap::least_places are there.
   void learn(link_map::Survey survey);
   void save(const std::string& path, std::vector<link_map::Reading> readings);
 
   /// The map that was learned since the last look.
-  [[nodiscard]] std::optional<LinkGrid> take_grid();
+  [[nodiscard]] std::optional<link_map::LinkGrid> take_grid();
   /// Why saving failed.
   [[nodiscard]] std::optional<std::string> take_error();
 
  private:
   std::mutex mutex_;
-  std::optional<LinkGrid> grid_;
+  std::optional<link_map::LinkGrid> grid_;
   std::optional<std::string> error_;
   // Last: ends before what it works on.
   std::unique_ptr<Background> background_;

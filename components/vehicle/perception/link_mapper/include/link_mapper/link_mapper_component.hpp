@@ -43,7 +43,8 @@ class LinkMapperComponent final : public Component {
   void take_pose(Time now);
   void take_quality(Time now);
   void learn(Time now);
-  [[nodiscard]] nav_msgs::msg::OccupancyGrid message_of(const LinkGrid& grid, Time now) const;
+  [[nodiscard]] nav_msgs::msg::OccupancyGrid message_of(const link_map::LinkGrid& grid,
+                                                        Time now) const;
   void publish(Time now);
   void save(Time now);
   [[nodiscard]] bool keeps() const { return keeps_files_ && !params_.map_name.empty(); }

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "link_mapper/link_grid.hpp"
+#include "link_map/link_grid.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace tocsin {
+namespace tocsin::link_map {
 namespace {
-
-using link_map::LinkMap;
-using link_map::Place;
 
 /// Along x, from an access point at the origin.
 std::vector<Place> walk(double length_m) {
@@ -62,4 +59,4 @@ TEST(LinkGrid, OfALongWayIsTheMiddle) {
 }
 
 }  // namespace
-}  // namespace tocsin
+}  // namespace tocsin::link_map

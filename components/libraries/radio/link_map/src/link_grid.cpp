@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "link_mapper/link_grid.hpp"
+#include "link_map/link_grid.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
-namespace tocsin {
+#include "foundation/some_of.hpp"
+
+namespace tocsin::link_map {
 namespace {
 
 struct Span {
@@ -24,7 +26,7 @@ Span span_of(double low_m, double high_m) {
 
 }  // namespace
 
-std::int8_t cell_of(const link_map::Prediction& prediction) {
+std::int8_t cell_of(const Prediction& prediction) {
   constexpr double best_dbm = -30;
   constexpr double span_db = 60;
   if (!(prediction.deviation_db <= LinkGrid::known_db)) return -1;
@@ -32,12 +34,11 @@ std::int8_t cell_of(const link_map::Prediction& prediction) {
   return static_cast<std::int8_t>(std::lround(100 * share));
 }
 
-LinkGrid grid_of(const link_map::LinkMap& map, const link_map::LossCurve& curve,
-                 const std::vector<link_map::Place>& places) {
+LinkGrid grid_of(const LinkMap& map, const LossCurve& curve, const std::vector<Place>& places) {
   assert(!places.empty());
   geometry::Point low = places.front().at;
   geometry::Point high = low;
-  for (const link_map::Place& place : places) {
+  for (const Place& place : places) {
     low = {std::min(low.x_m, place.at.x_m), std::min(low.y_m, place.at.y_m)};
     high = {std::max(high.x_m, place.at.x_m), std::max(high.y_m, place.at.y_m)};
   }
@@ -48,7 +49,7 @@ LinkGrid grid_of(const link_map::LinkMap& map, const link_map::LossCurve& curve,
     for (int column = 0; column < grid.width; ++column) {
       const geometry::Point middle{grid.origin.x_m + (column + 0.5) * LinkGrid::cell_m,
                                    grid.origin.y_m + (row + 0.5) * LinkGrid::cell_m};
-      const link_map::Prediction prediction = map.predict(middle);
+      const Prediction prediction = map.predict(middle);
       grid.cells.push_back(cell_of(prediction));
       grid.risk.push_back(static_cast<std::int8_t>(std::lround(100 * risk(curve, prediction))));
     }
@@ -56,4 +57,10 @@ LinkGrid grid_of(const link_map::LinkMap& map, const link_map::LossCurve& curve,
   return grid;
 }
 
-}  // namespace tocsin
+LinkGrid grid_of(const Survey& survey) {
+  constexpr std::size_t most_places = 300;
+  const auto places = some_of(survey.places(), most_places);
+  return grid_of(LinkMap(places), fit_loss_curve(survey.readings()), places);
+}
+
+}  // namespace tocsin::link_map

@@ -7,8 +7,9 @@
 #include "geometry/pose.hpp"
 #include "link_map/link_map.hpp"
 #include "link_map/loss_curve.hpp"
+#include "link_map/survey.hpp"
 
-namespace tocsin {
+namespace tocsin::link_map {
 
 /// A map of the link in squares, as `link_map` and `link_risk` have it.
 struct LinkGrid {
@@ -25,10 +26,13 @@ struct LinkGrid {
 };
 
 /// 0 at -30 dBm and above, 100 at -90 dBm and below; -1 where it is not known.
-[[nodiscard]] std::int8_t cell_of(const link_map::Prediction& prediction);
+[[nodiscard]] std::int8_t cell_of(const Prediction& prediction);
 
 /// Around the places, of which there is at least one.
-[[nodiscard]] LinkGrid grid_of(const link_map::LinkMap& map, const link_map::LossCurve& curve,
-                               const std::vector<link_map::Place>& places);
+[[nodiscard]] LinkGrid grid_of(const LinkMap& map, const LossCurve& curve,
+                               const std::vector<Place>& places);
+/// The same of what was measured, at least at `LinkMap::least_places` places; of many, 300 evenly
+/// chosen ones, which take a tenth of a second.
+[[nodiscard]] LinkGrid grid_of(const Survey& survey);
 
-}  // namespace tocsin
+}  // namespace tocsin::link_map
