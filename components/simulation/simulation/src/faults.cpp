@@ -218,7 +218,7 @@ void draw_surprises(std::uint64_t seed, const deployment::Deployment& deployment
   Draw moved = draw_of(FaultKind::access_point, seed);
   if (!processes_of(deployment, has_link_mapper).empty() && moved.below(3) == 0) {
     plan.push_back(in_the_first_minute(FaultKind::access_point, moved));
-    plan.back().amount = moved.between(3, 15) * (moved.below(2) == 0 ? 1 : -1);
+    plan.back().amount = moved.between(2, 8) * (moved.below(2) == 0 ? 1 : -1);
   }
   Draw stuck = draw_of(FaultKind::pose_stuck, seed);
   if (!processes_of(deployment, has_model_of_localiser).empty() && stuck.below(3) == 0) {

@@ -15,6 +15,7 @@ struct Options : BringupOptions {
   bool verify = false;
   std::string faults;  ///< empty, "random" or a path
   bool check = false;
+  InvariantLimits limits;
   bool until_failure = false;
   std::string seeds;  ///< "A..B"; empty: one run
   unsigned jobs = 1;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <thread>
 
 #include "command_line/command.hpp"
@@ -24,8 +25,12 @@ void declare_run(CLI::App& app, Options& options) {
 void declare_faults(CLI::App& app, Options& options) {
   app.add_option("--faults", options.faults, "'random' from the seed, or a file of faults");
   app.add_flag("--check", options.check,
-               "check the promises after every event until the mission is over, at most 150 s "
-               "after the last fault; exit code 1 for a broken one");
+               "check the promises after every event until the mission is over; exit code 1 for a "
+               "broken one");
+  app.add_option("--over-within", options.limits.recovers_s,
+                 "[s] of the last fault the mission must be over, which a check is the end of")
+      ->check(CLI::Range(1.0, 86400.0))
+      ->capture_default_str();
   auto* seeds =
       app.add_option("--seeds", options.seeds, "A..B: check these, print those that fail");
   auto* search = app.add_flag("--until-failure", options.until_failure,
@@ -45,6 +50,9 @@ std::string replay_of(const Options& options, const std::string& file) {
   if (!options.overrides.qos.empty()) words += " --qos " + options.overrides.qos;
   if (!options.overrides.traffic.empty()) words += " --traffic " + options.overrides.traffic;
   if (!options.faults.empty()) words += " --faults " + options.faults;
+  if (options.limits.recovers_s != InvariantLimits{}.recovers_s) {
+    words += " --over-within " + std::to_string(std::lround(options.limits.recovers_s));
+  }
   return words;
 }
 

@@ -47,7 +47,7 @@ SeedOutcome run(const Options& options, deployment::Deployment deployment) {
   WorldOptions world;
   world.faults = faults_of(options, deployment);
   tell_faults(world.faults, deployment.run_dir);
-  if (options.check) return run_checked(std::move(deployment), world);
+  if (options.check) return run_checked(std::move(deployment), world, options.limits);
   SeedOutcome checked;
   checked.outcome = SimWorld(std::move(deployment), world).run(seconds(options.duration_s));
   return checked;

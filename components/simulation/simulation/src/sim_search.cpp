@@ -85,7 +85,7 @@ SeedOutcome run_seed(const Options& options, std::uint64_t seed) {
   WorldOptions world;
   world.digest = false;
   world.faults = faults_of(options, deployment);
-  return run_checked(std::move(deployment), world);
+  return run_checked(std::move(deployment), world, options.limits);
 }
 
 void print(const SeedOutcome& checked, const Options& options) {

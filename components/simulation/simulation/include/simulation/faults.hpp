@@ -53,8 +53,9 @@ using FaultPlan = std::vector<Fault>;
 /// velocities meanwhile; in every third run a router is frozen, in every fourth somebody forges.
 /// Where the base has a laser, something is wrong with it in every second run; where a localiser
 /// runs, the wheels slip in every third and the vehicle is carried off in every fourth. Where a
-/// link_mapper runs, the access point is moved in every third, by 3 to 15 m; where a
-/// modelled_localiser runs, it is stuck in every third.
+/// link_mapper runs, the access point is moved in every third, by 2 to 8 m: farther, and a vehicle
+/// may stand where it has no link ever again; where a modelled_localiser runs, it is stuck in every
+/// third.
 /// These are drawn from numbers of their own: a kind that is added does not change what a seed
 /// draws of the others.
 [[nodiscard]] FaultPlan random_faults(std::uint64_t seed, const deployment::Deployment& deployment);

@@ -34,7 +34,7 @@ struct InvariantLimits {
   /// [s] after it was written a sample of class critical or high has been put on the radio: strict
   /// priority, on a radio whose queue holds 0.3 s at its slowest.
   double leaves_s = 0.5;
-  /// [s] the mission is over so long after the last fault: a whole Mission A takes 90.
+  /// [s] the mission is over so long after the last fault: Mission A takes 90, Mission C 470.
   double recovers_s = 150;
 };
 

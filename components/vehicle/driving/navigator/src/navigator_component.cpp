@@ -41,6 +41,7 @@ NavigatorComponent::NavigatorComponent(Context& context, const Params& params)
       navigator_(make_navigator(params)),
       action_(*this, params.pose_goal_timeout_s, params.navigator.follower.speed_mps),
       file_(context.state_path(".pose")),
+      goal_file_(context.state_path(".goal")),
       localiser_(make_localiser(file_, {params.start_x_m, params.start_y_m, params.start_yaw_rad})),
       localiser_pose_(seconds(params.localiser_timeout_s)) {
   if (params.map_file.empty()) map_.emplace(*this, WakeMode::time_triggered);
@@ -60,6 +61,7 @@ void NavigatorComponent::set_parameters(const Params& params) {
 }
 
 void NavigatorComponent::tick(Time now) {
+  if (!std::exchange(has_begun_, true)) go_on_with_earlier_goal(now);
   take_map(now);
   take_odometry(now);
   take_localiser(now);
@@ -173,6 +175,7 @@ void NavigatorComponent::take_goal(const topic::Goal::Message& message, Time now
     goal.ahead.push_back({{place.x(), place.y(), place.yaw()}, place.send_s()});
   }
   const auto answer = navigator_.on_goal(std::move(goal), now);
+  if (answer == GoalAnswer::accepted) mission_ = message.mission();
   if (answer == GoalAnswer::renewed) return;
   log().info("goal {} of mission {:x} to waypoint {} at ({:.2f}, {:.2f}): {}", message.id(),
              message.mission(), message.waypoint(), message.x(), message.y(), to_string(answer));
@@ -242,9 +245,32 @@ void NavigatorComponent::log_change(const Navigator::Status& status) {
   log().info("goal {}: {} {}", status.goal_id, to_string(status.state), status.reason);
 }
 
+void NavigatorComponent::go_on_with_earlier_goal(Time now) {
+  auto goal = goal_file_.load();
+  if (!goal) return;
+  const std::uint64_t mission = goal->mission;
+  const std::uint64_t id = goal->id;
+  if (navigator_.on_goal(std::move(*goal), now) != GoalAnswer::accepted) return;
+  mission_ = mission;
+  log().info("goes on with goal {} of mission {:x}, which it had before it was restarted", id,
+             mission);
+}
+
+/// That of a program on the vehicle ends with its connection.
+void NavigatorComponent::remember_goal() {
+  const auto& goal = navigator_.goal();
+  if (!goal) return;
+  const bool is_ours = goal->mission == mission_;
+  const bool was_saved =
+      std::exchange(is_goal_saved_, is_ours ? goal_file_.save(*goal) : goal_file_.clear());
+  if (was_saved && !is_goal_saved_) log().warn("the goal cannot be saved for a restart");
+}
+
 void NavigatorComponent::remember(Time now) {
-  if (!pose_ || amcl_pose_ || now < next_save_) return;
+  if (now < next_save_) return;
   next_save_ = now + std::chrono::seconds(1);
+  remember_goal();
+  if (!pose_ || amcl_pose_) return;
   const bool was_saved = std::exchange(is_saved_, file_.save(localiser_.memory()));
   if (was_saved && !is_saved_) log().warn("the pose cannot be saved for a restart");
 }

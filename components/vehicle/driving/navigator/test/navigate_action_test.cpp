@@ -61,6 +61,21 @@ class NavigateActionTest : public NavigatorComponentTest {
   Driver driver_{driver_context_};
 };
 
+TEST_F(NavigateActionTest, ANavigatorThatIsRestartedGoesOnWithNoGoalOfAProgram) {
+  context_.run_dir = folder_.string();
+  start();
+  run(0.2);
+  send_goal(5, -0.5);
+  run(6);
+  ASSERT_EQ(status_.state(), "reached");
+  (void)send(goal(3));
+  run(3);
+  ASSERT_EQ(status_.state(), "driving");
+  start();
+  run(1);
+  EXPECT_EQ(status_.state(), "idle");
+}
+
 TEST_F(NavigateActionTest, DrivesThereAndTellsHowItGoes) {
   const GoalId id = send(goal(2));
   run(2);

@@ -219,6 +219,23 @@ TEST_F(NavigatorComponentTest, KnowsWhereItIsAfterARestart) {
   EXPECT_NEAR(locations_.take().back().pose().pose().position().x(), 1, 1e-9);
 }
 
+TEST_F(NavigatorComponentTest, GoesOnWithItsGoalAfterARestartUntilTheLeaseIsOver) {
+  context_.run_dir = folder_.string();
+  start();
+  run(0.2);
+  send_goal(5, 3, 0, 12);
+  run(2);
+  start();
+  run(1);
+  EXPECT_EQ(status_.state(), "driving");
+  EXPECT_EQ(status_.goal_id(), 5U);
+  run(10);
+  EXPECT_EQ(status_.state(), "reached");
+  start();
+  run(1);
+  EXPECT_EQ(status_.state(), "idle") << "the lease is over";
+}
+
 TEST_F(NavigatorComponentTest, DrivesOnAMapThatGrows) {
   params_.map_file = "";
   start();

@@ -111,6 +111,8 @@ class Navigator {
   }
   /// Brakes, and drives to the present goal no more.
   void drop_goal(Time now) { goals_.expire(now); }
+  /// What it drives to.
+  [[nodiscard]] const std::optional<Goal>& goal() const { return goals_.present(); }
   /// Whether it has a goal that it has not reached and may still drive to.
   [[nodiscard]] bool is_busy(Time now) const;
   /// Another map, in the same frame: it has grown. Plans anew.

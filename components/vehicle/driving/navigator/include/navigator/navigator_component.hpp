@@ -10,6 +10,7 @@
 #include "geometry/twist.hpp"
 #include "map_ports/map_input.hpp"
 #include "navigator/costmap_ports.hpp"
+#include "navigator/goal_file.hpp"
 #include "navigator/link_ports.hpp"
 #include "navigator/localiser_file.hpp"
 #include "navigator/localiser_pose.hpp"
@@ -81,7 +82,9 @@ class NavigatorComponent final : public Component {
   void report_status(const Navigator::Status& status, Time now);
   void log_change(const Navigator::Status& status);
   void report_plan(Time now);
+  void go_on_with_earlier_goal(Time now);
   void remember(Time now);
+  void remember_goal();
 
   Input<topic::Odom> odom_{*this, WakeMode::time_triggered};
   OptionalInput<topic::Goal> goal_{*this};
@@ -103,6 +106,9 @@ class NavigatorComponent final : public Component {
   Navigator navigator_;
   NavigateAction action_;
   LocaliserFile file_;
+  GoalFile goal_file_;
+  bool has_begun_ = false;                ///< the first tick is over
+  std::optional<std::uint64_t> mission_;  ///< of the ground station's last goal
   OdometryLocaliser localiser_;
   LocaliserPose localiser_pose_;
   std::optional<geometry::Pose> pose_;
@@ -114,6 +120,7 @@ class NavigatorComponent final : public Component {
   Time next_status_{};
   Time next_save_{};
   bool is_saved_ = true;
+  bool is_goal_saved_ = true;
   std::uint64_t plans_ = 0;  // that were published
   Navigator::Status latest_;
   Navigator::Status reported_;
