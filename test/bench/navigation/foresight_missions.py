@@ -174,12 +174,12 @@ class RoomRun(Run):
 
 
 class Survey(Run):
-    """Mission C with stored pictures, and so long after it that all can cross."""
+    """Mission C with four stored pictures a second, and so long after it that all can cross."""
 
     def __init__(self, folder, seed, settings):
         bringup = pathlib.Path(folder) / "pictures.yaml"
         bringup.write_text("extends: survey.yaml\ntraffic: ${share}/config/traffic_survey.yaml\nstop_when_exits: ~\n", encoding="utf-8")
-        settings = [*settings, "mission_control.exit_when_over=false"]
+        settings = [*settings, "mission_control.exit_when_over=false", "camera.rate_hz=4"]
         super().__init__(folder, seed, settings, str(bringup), ("--duration", "900"))
 
     def measures(self):
