@@ -124,7 +124,7 @@ TEST(Sizes, AGoalWithAllThatItMayTellCrossesInOnePacket) {
   topic::Goal::Message goal;
   const std::size_t alone = size_of(goal);
   goal.ahead().resize(32);
-  EXPECT_EQ(size_of(goal), alone + 32 * 24);
+  EXPECT_EQ(size_of(goal), alone + 32 * 32);
   EXPECT_LT(size_of(goal), one_packet);
 }
 

@@ -58,8 +58,9 @@ class Run:
 
     def rows(self, topic, host="uxv"):
         out = self.folder / f"{host}_{topic}"
-        subprocess.run(["tocsin", "bag", "export", str(self.folder / "run" / host / "bag"), "-o", str(out),
-                        "--topics", f"/{topic}"], check=True, capture_output=True)
+        if not out.exists():
+            subprocess.run(["tocsin", "bag", "export", str(self.folder / "run" / host / "bag"), "-o", str(out),
+                            "--topics", f"/{topic}"], check=True, capture_output=True)
         with open(out / f"{topic}.csv", encoding="utf-8", newline="") as file:
             return list(csv.DictReader(file))
 
