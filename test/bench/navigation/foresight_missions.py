@@ -184,27 +184,30 @@ class Survey(Run):
         super().__init__(folder, seed, settings, str(bringup), ("--duration", "900"))
 
     def measures(self):
-        """Mission [s], all pictures there [s], mean delay of a picture by Little's law [s], most that wait."""
+        """Mission [s], all pictures there [s], mean delay of a picture by Little's law [s], most that wait, critical late or
+        lost of what arrived [%]."""
         waiting = self.waiting()
         few = 3  # that are on their way always
-        low = self.classes()["low"]
+        critical, low = (self.classes()[name] for name in ("critical", "low"))
         there = max((at for at, count in waiting if count > few), default=0)
         delay = sum(count for _, count in waiting) / max(1, low["offered"])
-        return [self.mission_s(), max(there, self.mission_s()), delay, max(count for _, count in waiting)]
+        late = 100 * (critical["late"] + critical["lost"]) / max(1, critical["delivered"] + critical["lost"])
+        return [self.mission_s(), max(there, self.mission_s()), delay, max(count for _, count in waiting), late]
 
 
 def pictures(seeds):
-    print("| policy | link_detour | send_stop_s | mission, s | all there after, s | mean delay, s | most that wait |")
-    print("| --- | --- | --- | --- | --- | --- | --- |")
-    for policy, detour, stop in (("none", 0, 0), ("tocp_dsp", 0, 0), ("none", 0.15, 0), ("none", 0, 60),
-                                 ("none", 0.15, 60), ("foresight", 0.15, 0), ("foresight", 0.15, 60)):
+    print("| policy | link_detour | send_stop_s | backfill_share | mission, s | all there after, s | mean delay, s | "
+          "most that wait | critical late or lost, % |")
+    print("| --- " * 9 + "|")
+    for policy, detour, stop, share in (("none", 0, 0, 0.2), ("tocp_dsp", 0, 0, 0.2), ("none", 0, 0, 0.6), ("none", 0.15, 0, 0.2),
+                                        ("none", 0.15, 0, 0.6), ("none", 0.15, 60, 0.2), ("foresight", 0.15, 0, 0.2)):
         settings = [f"transmission_controller.policy={policy}", f"navigator.link_detour={detour}",
-                    f"navigator.send_stop_s={stop}"]
+                    f"navigator.send_stop_s={stop}", f"link_router.backfill_share={share}"]
         values = []
         for seed in range(1, seeds + 1):
             with tempfile.TemporaryDirectory() as folder:
                 values.append(Survey(folder, seed, settings).measures())
-        print_row(f"{policy} | {detour} | {stop}", means(values))
+        print_row(f"{policy} | {detour} | {stop} | {share}", means(values))
 
 
 def main():

@@ -48,6 +48,11 @@ void LinkStreams::add(FlowId flow, const router::StreamRule& rule) {
   sender_.add_stream(flow, rule);
 }
 
+void LinkStreams::add_backfill(FlowId flow) {
+  sent_bytes_[flow] = {};
+  sender_.add_backfill_stream(flow);
+}
+
 void LinkStreams::remove(FlowId flow) {
   sent_bytes_.erase(flow);
   sender_.remove_stream(flow);

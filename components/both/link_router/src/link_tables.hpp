@@ -80,6 +80,8 @@ class LinkStreams {
   /// Both outlive it.
   LinkStreams(LinkBus& link, router::LinkSender& sender);
   void add(FlowId flow, const router::StreamRule& rule);
+  /// The one that backfills go by.
+  void add_backfill(FlowId flow);
   void remove(FlowId flow);
   [[nodiscard]] bool has(FlowId flow) const { return sent_bytes_.count(flow) != 0; }
   /// The stream of a wire id; empty when there is none.

@@ -32,6 +32,17 @@ TEST_F(BackfillLinkTest, WhatAPauseHeldIsBackfilledAfterIt) {
   EXPECT_TRUE(script_.opened.at(script_.opened_for("battery_state")).flow.stored);
 }
 
+TEST_F(BackfillLinkTest, WhatIsBackfilledAndAcknowledgedIsNotLost) {
+  meet_station();
+  listen(begin("battery_state"));
+  set_active(false);
+  for (const std::uint64_t sequence : {1, 2, 3}) write(sequence);
+  set_active(true);
+  ASSERT_THAT(sent(), ElementsAre(1, 2, 3));
+  acknowledge(backfills(), static_cast<std::uint32_t>(batches().size()));
+  EXPECT_EQ(state().loss(), 0);
+}
+
 TEST_F(BackfillLinkTest, WhatTheNextInstanceFindsInTheLogIsBackfilledThoughNobodyWritesItNow) {
   (void)begin("battery_state");
   write(1);

@@ -16,6 +16,7 @@
 #include "foreign_robot.hpp"
 #include "foundation/program.hpp"
 #include "foundation/temporary_folder.hpp"
+#include "foundation/whole_number.hpp"
 #include "measure.hpp"
 
 namespace {
@@ -149,7 +150,7 @@ void measure(const Trial& trial) {
 int main(int argc, char** argv) {
   return tocsin::run_program("link_gateway", [&] {
     Trial trial;
-    if (argc > 1) trial.seconds = std::stoi(argv[1]);
+    if (argc > 1) trial.seconds = static_cast<int>(whole_number(argv[1], "SECONDS", 1, 86400));
     if (argc > 2) trial.channel = argv[2];
     if (argc > 4) trial.position = fmt::format("pos {} {}", argv[3], argv[4]);
     measure(trial);

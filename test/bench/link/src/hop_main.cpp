@@ -19,6 +19,7 @@
 #include "crossing.hpp"
 #include "foundation/program.hpp"
 #include "foundation/temporary_folder.hpp"
+#include "foundation/whole_number.hpp"
 #include "hop_message.hpp"
 #include "measure.hpp"
 #include "packet_tap.hpp"
@@ -184,7 +185,8 @@ void measure(int small, int images) {
 
 int main(int argc, char** argv) {
   return tocsin::run_program("link_hop", [&] {
-    measure(argc > 1 ? std::stoi(argv[1]) : 2000, argc > 2 ? std::stoi(argv[2]) : 400);
+    measure(argc > 1 ? static_cast<int>(whole_number(argv[1], "SMALL", 1, 1'000'000)) : 2000,
+            argc > 2 ? static_cast<int>(whole_number(argv[2], "IMAGES", 1, 1'000'000)) : 400);
     return 0;
   });
 }

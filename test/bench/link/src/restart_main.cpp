@@ -15,6 +15,7 @@
 #include "crossing.hpp"
 #include "foundation/program.hpp"
 #include "foundation/temporary_folder.hpp"
+#include "foundation/whole_number.hpp"
 #include "measure.hpp"
 
 namespace {
@@ -88,7 +89,7 @@ void measure(int kills) {
 
 int main(int argc, char** argv) {
   return tocsin::run_program("link_restart", [&] {
-    measure(argc > 1 ? std::stoi(argv[1]) : 20);
+    measure(argc > 1 ? static_cast<int>(whole_number(argv[1], "KILLS", 1, 10000)) : 20);
     return 0;
   });
 }

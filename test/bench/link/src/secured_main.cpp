@@ -14,6 +14,7 @@
 #include "crossing.hpp"
 #include "foundation/program.hpp"
 #include "foundation/temporary_folder.hpp"
+#include "foundation/whole_number.hpp"
 #include "keystore/keystore.hpp"
 #include "measure.hpp"
 
@@ -116,8 +117,8 @@ void compare(int turns, seconds time) {
 
 int main(int argc, char** argv) {
   return tocsin::run_program("link_secured", [&] {
-    compare(argc > 1 ? std::stoi(argv[1]) : 3,
-            std::chrono::seconds(argc > 2 ? std::stoi(argv[2]) : 20));
+    compare(argc > 1 ? static_cast<int>(whole_number(argv[1], "TURNS", 1, 1000)) : 3,
+            std::chrono::seconds(argc > 2 ? whole_number(argv[2], "SECONDS", 1, 86400) : 20));
     return 0;
   });
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "foundation/program.hpp"
+#include "foundation/whole_number.hpp"
 #include "link_router/wire_cost.hpp"
 #include "router_radio.hpp"
 
@@ -120,9 +121,11 @@ class PictureRun {
 
 Setting setting_of(const std::vector<std::string>& words) {
   Setting setting;
-  if (!words.empty()) setting.bytes = std::stoul(words[0]);
-  if (words.size() > 1) setting.period = std::chrono::milliseconds(std::stoi(words[1]));
-  if (words.size() > 2) setting.pictures = std::stoul(words[2]);
+  if (!words.empty()) setting.bytes = whole_number(words[0], "BYTES", 1, 65'000);
+  if (words.size() > 1) {
+    setting.period = std::chrono::milliseconds(whole_number(words[1], "PERIOD_MS", 1, 60'000));
+  }
+  if (words.size() > 2) setting.pictures = whole_number(words[2], "PICTURES", 1, 1'000'000);
   return setting;
 }
 

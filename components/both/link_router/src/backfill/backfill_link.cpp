@@ -32,7 +32,8 @@ BackfillLink::BackfillLink(Component& owner, const LinkParts& parts, const Compu
       arrivals_(parts.link, history_store_),
       sender_(params.link),
       history_({parts.link, history_store_, sender_, flows_, parts.log}),
-      outgoing_({parts.link, parts.sender, store_, sender_, history_, flows_, parts.log}),
+      outgoing_(
+          {parts.link, parts.streams, parts.sender, store_, sender_, history_, flows_, parts.log}),
       incoming_({parts.link, parts.receiver, store_, arrivals_, parts.log}),
       triggers_(make_triggers(owner, parts.link.rules().fetches())) {}
 

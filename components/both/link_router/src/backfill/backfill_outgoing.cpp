@@ -29,7 +29,7 @@ std::optional<FlowId> open_flow(LinkBus& link) {
 
 BackfillOutgoing::BackfillOutgoing(const Parts& parts)
     : parts_(parts), flow_(open_flow(parts.link)) {
-  if (flow_) parts_.link_sender.add_backfill_stream(*flow_);
+  if (flow_) parts_.streams.add_backfill(*flow_);
 }
 
 void BackfillOutgoing::add(const LocalFlow& flow) {

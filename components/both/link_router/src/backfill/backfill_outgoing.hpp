@@ -25,6 +25,7 @@ class BackfillOutgoing {
   /// All outlive it.
   struct Parts {
     LinkBus& link;
+    LinkStreams& streams;
     router::LinkSender& link_sender;
     RouterStore& store;
     router::BackfillSender& sender;
