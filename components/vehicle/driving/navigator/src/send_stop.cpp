@@ -9,7 +9,9 @@
 namespace tocsin {
 namespace {
 
-constexpr std::uint64_t few = 3;  // samples that are on their way always
+/// Fewer samples are on their way always; nobody stops for them, though at a goal all are waited
+/// for.
+constexpr std::uint64_t few = 3;
 constexpr double least_needed_s = 1;
 constexpr double rate_weight = 0.5;  // of the newest second
 constexpr Duration patience = std::chrono::seconds(10);
@@ -59,8 +61,8 @@ void SendStop::on_store(const StoreBacklog& store, Time now) {
   told_ = now;
 }
 
-bool SendStop::has_something(Time now) const {
-  return told_ && now - *told_ <= store_timeout && store_.waiting >= few;
+bool SendStop::waits(std::uint64_t least, Time now) const {
+  return told_ && now - *told_ <= store_timeout && store_.waiting >= least;
 }
 
 double SendStop::needed_s() const {
@@ -87,8 +89,8 @@ bool SendStop::is_worthwhile(Time now) {
 
 bool SendStop::goes_on(double most_s, Time now) {
   if (stand_->is_over) return false;
-  const bool ends =
-      !has_something(now) || now - stand_->since >= seconds(most_s) || !is_worthwhile(now);
+  const bool ends = !waits(stand_->at_goal ? 1 : few, now) ||
+                    now - stand_->since >= seconds(most_s) || !is_worthwhile(now);
   stand_->is_over = ends;
   return !ends;
 }
@@ -103,7 +105,7 @@ bool SendStop::stands_on_way(std::uint64_t goal, const geometry::Path& way, doub
                              const navigation::LinkRisk& risk, Time now) {
   if (params_.send_stop_s <= 0 || way.empty()) return false;
   if (!may_begin(goal, false)) return goes_on(params_.send_stop_s, now);
-  if (!has_something(now) || needed_s() < least_needed_s) return false;
+  if (!waits(few, now) || needed_s() < least_needed_s) return false;
   const double here = risk.at(way.front());
   if (here > good_risk) return false;
   const Ahead ahead = look_ahead(way, speed_mps, risk);

@@ -61,7 +61,7 @@ class SendStop {
   [[nodiscard]] bool is_worthwhile(Time now);
   [[nodiscard]] bool goes_on(double most_s, Time now);
   [[nodiscard]] bool may_begin(std::uint64_t goal, bool at_goal) const;
-  [[nodiscard]] bool has_something(Time now) const;
+  [[nodiscard]] bool waits(std::uint64_t least, Time now) const;
   [[nodiscard]] double needed_s() const;
 
   Params params_;
