@@ -100,17 +100,17 @@ def stamp(row):
     return float(row["send_s"])
 
 
-def missions(seeds, settings, measure):
-    """The mean of what is measured of each run, and the half width of its 95 % interval."""
+def over_seeds(seeds, measure):
+    """The mean of what `measure(folder, seed)` gives for each seed, and the half width of its 95 % interval."""
     measured = []
     for seed in range(1, seeds + 1):
         with tempfile.TemporaryDirectory() as folder:
-            measured.append(measure(Run(folder, seed, settings)))
-    return means(measured)
+            measured.append(measure(folder, seed))
+    return [(statistics.mean(one), 1.96 * statistics.stdev(one) / math.sqrt(seeds)) for one in zip(*measured)]
 
 
-def means(measured):
-    return [(statistics.mean(one), 1.96 * statistics.stdev(one) / math.sqrt(len(measured))) for one in zip(*measured)]
+def missions(seeds, settings, measure):
+    return over_seeds(seeds, lambda folder, seed: measure(Run(folder, seed, settings)))
 
 
 def print_row(name, values):
@@ -130,12 +130,10 @@ def rooms(seeds):
     print("| --- | --- | --- | --- | --- | --- |")
     for mission, channel in (("mission_a", "classroom"), ("mission_b", "classroom_mission_b")):
         for detour in (0, 0.15):
-            values = []
-            for seed in range(1, seeds + 1):
-                with tempfile.TemporaryDirectory() as folder:
-                    run = RoomRun(folder, seed, [f"navigator.link_detour={detour}"], mission, channel)
-                    values.append([*run.silent_s(), *run.driven_m()])
-            print_row(f"{mission} | {detour}", means(values))
+            def measure(folder, seed, detour=detour, mission=mission, channel=channel):
+                run = RoomRun(folder, seed, [f"navigator.link_detour={detour}"], mission, channel)
+                return [*run.silent_s(), *run.driven_m()]
+            print_row(f"{mission} | {detour}", over_seeds(seeds, measure))
 
 
 def policies(seeds):
@@ -203,11 +201,8 @@ def pictures(seeds):
                                         ("none", 0.15, 0, 0.6), ("none", 0.15, 60, 0.2), ("foresight", 0.15, 0, 0.2)):
         settings = [f"transmission_controller.policy={policy}", f"navigator.link_detour={detour}",
                     f"navigator.send_stop_s={stop}", f"link_router.backfill_share={share}"]
-        values = []
-        for seed in range(1, seeds + 1):
-            with tempfile.TemporaryDirectory() as folder:
-                values.append(Survey(folder, seed, settings).measures())
-        print_row(f"{policy} | {detour} | {stop} | {share}", means(values))
+        values = over_seeds(seeds, lambda folder, seed, settings=settings: Survey(folder, seed, settings).measures())
+        print_row(f"{policy} | {detour} | {stop} | {share}", values)
 
 
 def main():

@@ -97,16 +97,11 @@ bool has(const deployment::Container& container, const char* component) {
                      [component](const auto& one) { return one.component == component; });
 }
 
-bool has_router(const deployment::Container& container) { return has(container, "link_router"); }
-
-bool has_localiser(const deployment::Container& container) { return has(container, "localiser"); }
-
-bool has_link_mapper(const deployment::Container& container) {
-  return has(container, "link_mapper");
-}
-
-bool has_model_of_localiser(const deployment::Container& container) {
-  return has(container, "modelled_localiser");
+/// Paths of the processes that have such a component.
+std::vector<std::string> processes_with(const char* component,
+                                        const deployment::Deployment& deployment) {
+  return processes_of(
+      deployment, [component](const deployment::Container& one) { return has(one, component); });
 }
 
 bool has_laser(const deployment::Host& host) {
@@ -171,7 +166,7 @@ std::optional<Fault> draw_rogue_velocity(std::uint64_t seed, const Fault& stop) 
 
 std::optional<Fault> draw_freeze(std::uint64_t seed, const deployment::Deployment& deployment) {
   Draw draw = draw_of(FaultKind::freeze, seed);
-  const auto routers = processes_of(deployment, has_router);
+  const auto routers = processes_with("link_router", deployment);
   if (draw.below(3) != 0 || routers.empty()) return std::nullopt;
   Fault fault = in_the_first_minute(FaultKind::freeze, draw);
   fault.target = routers[draw.below(routers.size())];
@@ -200,7 +195,7 @@ std::optional<Fault> draw_laser_fault(std::uint64_t seed,
 /// What only a vehicle that looks where it is can bear.
 void draw_displacements(std::uint64_t seed, const deployment::Deployment& deployment,
                         FaultPlan& plan) {
-  if (processes_of(deployment, has_localiser).empty()) return;
+  if (processes_with("localiser", deployment).empty()) return;
   Draw slip = draw_of(FaultKind::slip, seed);
   if (slip.below(3) == 0) {
     plan.push_back(in_the_first_minute(FaultKind::slip, slip));
@@ -216,12 +211,12 @@ void draw_displacements(std::uint64_t seed, const deployment::Deployment& deploy
 /// What makes a map of the link wrong.
 void draw_surprises(std::uint64_t seed, const deployment::Deployment& deployment, FaultPlan& plan) {
   Draw moved = draw_of(FaultKind::access_point, seed);
-  if (!processes_of(deployment, has_link_mapper).empty() && moved.below(3) == 0) {
+  if (!processes_with("link_mapper", deployment).empty() && moved.below(3) == 0) {
     plan.push_back(in_the_first_minute(FaultKind::access_point, moved));
     plan.back().amount = moved.between(2, 8) * (moved.below(2) == 0 ? 1 : -1);
   }
   Draw stuck = draw_of(FaultKind::pose_stuck, seed);
-  if (!processes_of(deployment, has_model_of_localiser).empty() && stuck.below(3) == 0) {
+  if (!processes_with("modelled_localiser", deployment).empty() && stuck.below(3) == 0) {
     plan.push_back(in_the_first_minute(FaultKind::pose_stuck, stuck));
   }
 }

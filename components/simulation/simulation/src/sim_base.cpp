@@ -2,13 +2,13 @@
 #include "sim_base.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <utility>
 
 #include "foundation/error.hpp"
 #include "foundation/numbers.hpp"
+#include "foundation/whole_number.hpp"
 #include "geometry/wall_file.hpp"
 #include "kobuki_model/base_settings.hpp"
 #include "laser_model/obstacle_file.hpp"
@@ -27,9 +27,7 @@ Arguments arguments_of(const deployment::Program& program) {
 }
 
 std::uint64_t seed_of(const std::string& text) {
-  std::uint64_t seed = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
-  if (error == std::errc{} && end == text.data() + text.size()) return seed;
+  if (const auto seed = whole_number(text)) return *seed;
   throw ConfigError("kobuki_simulator --seed: '" + text + "' is not a whole number from 0");
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <optional>
 #include <vector>
 
 #include "foundation/program.hpp"
@@ -50,14 +49,6 @@ double truth_bytes_per_s(double load) {
   return delivered * packet_bytes / measured_s;
 }
 
-router::StreamRule rule_of(const char* name, TrafficClass traffic_class) {
-  router::StreamRule rule;
-  rule.name = name;
-  rule.traffic_class = traffic_class;
-  rule.repaired = policy_of(traffic_class).repaired;
-  return rule;
-}
-
 /// What is told of one step.
 struct Step {
   double known_after_s = to_seconds(half);  ///< until the estimate is near the truth
@@ -72,8 +63,8 @@ class Run {
         channel_(channel(0), {}, seed, begin),
         routers_(channel_, {}, begin) {
     channel_.set_position(4, 0);
-    routers_.add_stream(0, camera, rule_of("camera", TrafficClass::low), begin);
-    routers_.add_stream(0, heartbeat, rule_of("heartbeat", TrafficClass::critical), begin);
+    routers_.add_stream(0, camera, stream_rule("camera", TrafficClass::low), begin);
+    routers_.add_stream(0, heartbeat, stream_rule("heartbeat", TrafficClass::critical), begin);
   }
 
   /// Falls and rises, in turn.

@@ -57,10 +57,7 @@ class TopicRun {
       : messages_(messages),
         channel_(lossy_channel(loss, 0.02), {}, 1, begin),
         routers_(channel_, {}, begin) {
-    router::StreamRule rule;
-    rule.name = "topic";
-    rule.traffic_class = TrafficClass::high;
-    rule.repaired = policy_of(rule.traffic_class).repaired;
+    router::StreamRule rule = stream_rule("topic", TrafficClass::high);
     rule.compressed = compressed;
     routers_.add_stream(0, 1, rule, begin);
     routers_.sender(0).set_compress(

@@ -39,14 +39,6 @@ constexpr Variant variants[] = {{"whole", true, 0},
                                 {"pieces, once again", false, 1},
                                 {"pieces, twice again", false, 2}};
 
-router::StreamRule rule_of(const char* name, TrafficClass traffic_class) {
-  router::StreamRule rule;
-  rule.name = name;
-  rule.traffic_class = traffic_class;
-  rule.repaired = policy_of(traffic_class).repaired;
-  return rule;
-}
-
 class PictureRun {
  public:
   PictureRun(const Setting& setting, const Variant& variant, double loss)
@@ -54,8 +46,8 @@ class PictureRun {
         channel_(lossy_channel(loss, 0.005), {}, 1, begin),
         routers_(channel_, setup(variant), begin) {
     if (variant.whole) routers_.sender(0).set_largest_piece(0);
-    routers_.add_stream(0, camera, rule_of("camera", TrafficClass::low), begin);
-    routers_.add_stream(0, heartbeat, rule_of("heartbeat", TrafficClass::critical), begin);
+    routers_.add_stream(0, camera, stream_rule("camera", TrafficClass::low), begin);
+    routers_.add_stream(0, heartbeat, stream_rule("heartbeat", TrafficClass::critical), begin);
     sent_at_.resize(setting.pictures);
   }
 

@@ -27,6 +27,14 @@ radio::ChannelParams lossy_channel(double loss, double delay_s) {
   return params;
 }
 
+router::StreamRule stream_rule(const char* name, TrafficClass traffic_class) {
+  router::StreamRule rule;
+  rule.name = name;
+  rule.traffic_class = traffic_class;
+  rule.repaired = policy_of(traffic_class).repaired;
+  return rule;
+}
+
 RouterRadio::RouterRadio(radio::RadioChannel& channel, const Setup& setup, Time start)
     : channel_(channel), dscp_(setup.dscp) {
   for (std::size_t side = 0; side < 2; ++side) {

@@ -18,6 +18,9 @@ namespace tocsin::bench {
 /// A link without MAC that loses each packet by itself, both ways.
 [[nodiscard]] radio::ChannelParams lossy_channel(double loss, double delay_s);
 
+/// Of a stream that is repaired as its class is.
+[[nodiscard]] router::StreamRule stream_rule(const char* name, TrafficClass traffic_class);
+
 /// Two routers, side 0 of the vehicle and side 1 of the station, with the radio between them. The
 /// sides know each other as "peer".
 class RouterRadio {

@@ -19,8 +19,7 @@ void AuthenticationRepeats::sent(const Participant& addressee, Due message, Time
   const std::lock_guard<std::mutex> lock(mutex_);
   messages_.remove_if([&](const Message& one) { return one.addressee == addressee; });
   if (messages_.size() >= most_messages) messages_.pop_front();
-  messages_.push_back(
-      {addressee, std::move(message), now + first_pause, first_pause, most_repeats});
+  messages_.push_back({addressee, std::move(message), RepeatTimes(now)});
 }
 
 void AuthenticationRepeats::on_packet(const std::uint8_t* bytes, std::size_t size) {
@@ -39,19 +38,17 @@ void AuthenticationRepeats::on_packet(const std::uint8_t* bytes, std::size_t siz
 std::optional<AuthenticationRepeats::Due> AuthenticationRepeats::take_due(Time now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto due = std::find_if(messages_.begin(), messages_.end(),
-                                [&](const Message& one) { return now >= one.next; });
+                                [&](const Message& one) { return now >= one.times.next(); });
   if (due == messages_.end()) return std::nullopt;
   Due content = due->content;
-  due->pause *= 2;
-  due->next = now + due->pause;
-  if (--due->left == 0) messages_.erase(due);
+  if (!due->times.repeat(now)) messages_.erase(due);
   return content;
 }
 
 Time AuthenticationRepeats::deadline() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   Time next = never;
-  for (const Message& one : messages_) next = std::min(next, one.next);
+  for (const Message& one : messages_) next = std::min(next, one.times.next());
   return next;
 }
 

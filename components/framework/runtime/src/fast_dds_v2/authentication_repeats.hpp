@@ -12,6 +12,7 @@
 #include <optional>
 #include <vector>
 
+#include "fast_dds_v2/repeat_times.hpp"
 #include "foundation/time.hpp"
 
 namespace tocsin {
@@ -26,9 +27,6 @@ class AuthenticationRepeats {
  public:
   using Participant = eprosima::fastrtps::rtps::GuidPrefix_t;
   using Packet = std::vector<std::uint8_t>;
-  /// From the first time that it is sent to the second; doubles each time.
-  static constexpr Duration first_pause = std::chrono::milliseconds(50);
-  static constexpr int most_repeats = 5;
   /// At the same time; beyond that the oldest are not repeated any more.
   static constexpr std::size_t most_messages = 8;
 
@@ -47,9 +45,7 @@ class AuthenticationRepeats {
   struct Message {
     Participant addressee;
     Due content;
-    Time next;
-    Duration pause;
-    int left;
+    RepeatTimes times;
   };
   mutable std::mutex mutex_;
   std::list<Message> messages_;                ///< the oldest first

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "fast_dds_v2/repeat_times.hpp"
 #include "foundation/time.hpp"
 
 namespace tocsin {
@@ -23,9 +24,6 @@ namespace tocsin {
 /// never decreases.
 class KeyRepeats {
  public:
-  /// From the last packet to its first repeat; doubles each time.
-  static constexpr Duration first_pause = std::chrono::milliseconds(50);
-  static constexpr int most_repeats = 5;
   /// Packets of so many bytes have keys; shorter ones are heartbeats and requests.
   static constexpr std::size_t least_key_bytes = 160;
   /// At the same time, of all peers; beyond that new ones are not repeated.
@@ -45,9 +43,7 @@ class KeyRepeats {
   using Key = std::pair<eprosima::fastrtps::rtps::Locator_t, bool>;  ///< whether it has keys
   struct Last {
     std::vector<std::uint8_t> bytes;
-    Time next;
-    Duration pause;
-    int left;
+    RepeatTimes times;
   };
   std::map<Key, Last> last_;
 };

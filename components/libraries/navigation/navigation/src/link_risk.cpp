@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 
 namespace tocsin::navigation {
 namespace {
@@ -50,13 +49,10 @@ std::vector<float> LinkRisk::on(const Grid& grid) const {
 
 double LinkRisk::silent_m(const geometry::Path& path) const {
   double sum = 0;
-  for (std::size_t i = 1; i < path.size(); ++i) {
-    const double length_m = distance(path[i - 1], path[i]);
-    const int pieces = std::max(1, static_cast<int>(std::ceil(2 * length_m / grid_.resolution_m)));
-    for (int k = 0; k < pieces; ++k) {
-      sum += length_m / pieces * at(between(path[i - 1], path[i], (k + 0.5) / pieces));
-    }
-  }
+  walk(path, [&](double risk, double length_m) {
+    sum += length_m * risk;
+    return true;
+  });
   return sum;
 }
 

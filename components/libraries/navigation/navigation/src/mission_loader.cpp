@@ -29,7 +29,7 @@ struct WaypointEntry {
     v("x", x, {-far_m, far_m}, "[m]");
     v("y", y, {-far_m, far_m}, "[m]");
     v("yaw", yaw, {-2 * pi, 2 * pi}, "[rad]");
-    v("send_s", send_s, {0, 3600}, "[s]");
+    v("send_s", send_s, {0, Waypoint::most_send_s}, "[s]");
   }
 };
 

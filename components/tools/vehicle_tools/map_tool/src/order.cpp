@@ -71,9 +71,9 @@ std::string text_of(const Leg& before, const Leg& after) {
 }  // namespace
 
 std::string order(const OrderOptions& options) {
-  Mission mission = navigation::load_mission(options.mission);
+  const Mission mission = navigation::load_mission(options.mission);
   if (mission.waypoints.size() > most_ordered) {
-    throw ConfigError(fmt::format("{}: {} waypoints are more than {}", options.mission,
+    throw ConfigError(fmt::format("{}: {} waypoints are more than {}", printable(options.mission),
                                   mission.waypoints.size(), most_ordered));
   }
   const auto risk = read_link(options.link);

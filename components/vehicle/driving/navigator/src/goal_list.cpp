@@ -9,7 +9,7 @@ namespace tocsin {
 namespace {
 
 bool is_valid(const navigation::Waypoint& place) {
-  return is_finite(place) && place.send_s >= 0 && place.send_s <= 3600;
+  return is_finite(place) && place.send_s >= 0 && place.send_s <= navigation::Waypoint::most_send_s;
 }
 
 bool is_valid(const Goal& goal) {

@@ -112,7 +112,8 @@ bool Navigator::sends_at_goal(Time now) {
 
 bool Navigator::sends_on_way(const Target& target, Time now) {
   const auto& link = surroundings_.link();
-  if (!link || target.key != goals_.present_number()) return false;
+  const bool may_stand = params_.send_stop.send_stop_s > 0 && link;
+  if (!may_stand || target.key != goals_.present_number()) return false;
   return send_stop_.stands_on_way(target.key, follower_.rest(position(pose_)),
                                   params_.follower.speed_mps, *link, now);
 }

@@ -52,6 +52,7 @@ NavigatorComponent::NavigatorComponent(Context& context, const Params& params)
     costmaps_.emplace(*this);
   }
   if (params.navigator.heeds_link()) link_.emplace(*this);
+  go_on_with_earlier_goal(context.bus.now());
 }
 
 void NavigatorComponent::set_parameters(const Params& params) {
@@ -61,7 +62,6 @@ void NavigatorComponent::set_parameters(const Params& params) {
 }
 
 void NavigatorComponent::tick(Time now) {
-  if (!std::exchange(has_begun_, true)) go_on_with_earlier_goal(now);
   take_map(now);
   take_odometry(now);
   take_localiser(now);

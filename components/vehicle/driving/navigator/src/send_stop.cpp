@@ -2,7 +2,6 @@
 #include "navigator/send_stop.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "foundation/numbers.hpp"
 
@@ -21,7 +20,6 @@ constexpr Duration store_timeout = std::chrono::seconds(5);
 constexpr double good_risk = 0.2;  // worth standing at
 constexpr double lost_risk = 0.5;
 constexpr double better = 0.05;  // worth driving on to
-constexpr double step_m = 0.25;
 
 /// The link along a way, until it is lost.
 struct Ahead {
@@ -32,16 +30,12 @@ struct Ahead {
 
 Ahead look_ahead(const geometry::Path& way, double speed_mps, const navigation::LinkRisk& risk) {
   Ahead ahead;
-  for (std::size_t i = 1; i < way.size() && !ahead.is_lost; ++i) {
-    const double length_m = distance(way[i - 1], way[i]);
-    const int pieces = std::max(1, static_cast<int>(std::ceil(length_m / step_m)));
-    for (int k = 0; k < pieces && !ahead.is_lost; ++k) {
-      const double here = risk.at(between(way[i - 1], way[i], (k + 0.5) / pieces));
-      ahead.is_lost = here > lost_risk;
-      ahead.link_s += ahead.is_lost ? 0 : (1 - here) * length_m / pieces / speed_mps;
-      ahead.least_risk = std::min(ahead.least_risk, here);
-    }
-  }
+  risk.walk(way, [&](double lost, double length_m) {
+    ahead.least_risk = std::min(ahead.least_risk, lost);
+    ahead.is_lost = lost > lost_risk;
+    if (!ahead.is_lost) ahead.link_s += (1 - lost) * length_m / speed_mps;
+    return !ahead.is_lost;
+  });
   return ahead;
 }
 

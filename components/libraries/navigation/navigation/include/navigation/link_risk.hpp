@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -22,6 +25,19 @@ class LinkRisk {
   [[nodiscard]] double at(const geometry::Point& p) const;
   /// The same in the middle of each cell of another grid, row by row from the origin up.
   [[nodiscard]] std::vector<float> on(const Grid& grid) const;
+  /// Short pieces of a path in turn: to `visit(risk, length_m)`, until that is false.
+  template <class Visit>
+  void walk(const geometry::Path& path, Visit visit) const {
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      const double length_m = distance(path[i - 1], path[i]);
+      const int pieces =
+          std::max(1, static_cast<int>(std::ceil(2 * length_m / grid_.resolution_m)));
+      for (int k = 0; k < pieces; ++k) {
+        const geometry::Point middle = between(path[i - 1], path[i], (k + 0.5) / pieces);
+        if (!visit(at(middle), length_m / pieces)) return;
+      }
+    }
+  }
   /// The metres of a path on which the link is expected to be lost; by speed, the seconds.
   [[nodiscard]] double silent_m(const geometry::Path& path) const;
 

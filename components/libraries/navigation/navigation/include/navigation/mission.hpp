@@ -14,8 +14,9 @@ inline constexpr std::size_t most_waypoints = 4095;  ///< of a mission
 
 /// A pose to drive to.
 struct Waypoint : geometry::Pose {
-  /// [s] [range 0,3600] that a vehicle stands there at most until its stored samples have crossed
-  /// the link.
+  static constexpr double most_send_s = 3600;
+  /// [s] [range 0,most_send_s] that a vehicle stands there at most until its stored samples have
+  /// crossed the link.
   double send_s = 0;
 };
 

@@ -107,7 +107,6 @@ class NavigatorComponent final : public Component {
   NavigateAction action_;
   LocaliserFile file_;
   GoalFile goal_file_;
-  bool has_begun_ = false;                ///< the first tick is over
   std::optional<std::uint64_t> mission_;  ///< of the ground station's last goal
   OdometryLocaliser localiser_;
   LocaliserPose localiser_pose_;
