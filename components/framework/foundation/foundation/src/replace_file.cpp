@@ -2,6 +2,7 @@
 #include "foundation/replace_file.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -31,9 +32,19 @@ std::error_code write_and_close(int descriptor, const std::string& text, Sync sy
   return error;
 }
 
+/// A device, a pipe, a terminal: its name must stay what it is.
+bool is_special(const std::string& path) {
+  struct stat known {};
+  return ::stat(path.c_str(), &known) == 0 && !S_ISREG(known.st_mode) && !S_ISDIR(known.st_mode);
+}
+
 }  // namespace
 
 std::error_code replace_file(const std::string& path, const std::string& text, Sync sync) {
+  if (is_special(path)) {
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    return descriptor < 0 ? last_error() : write_and_close(descriptor, text, Sync::no);
+  }
   const std::string fresh = path + ".new";
   const int descriptor = ::open(fresh.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (descriptor < 0) return last_error();

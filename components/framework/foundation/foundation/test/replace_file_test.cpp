@@ -51,6 +51,16 @@ TEST_P(ReplaceFileTest, PutsTheNewTextInThePlaceOfTheOldOne) {
   EXPECT_FALSE(fs::exists(file_ + ".new"));
 }
 
+TEST_P(ReplaceFileTest, WritesToADeviceAndLeavesItsName) {
+  fs::create_symlink("/dev/null", file_);
+  EXPECT_FALSE(replace_file(file_, "text", GetParam()));
+  EXPECT_TRUE(fs::is_symlink(file_));
+  fs::remove(file_);
+  fs::create_symlink("/dev/full", file_);
+  EXPECT_TRUE(is_disk_full(replace_file(file_, "text", GetParam())));
+  EXPECT_TRUE(fs::is_symlink(file_));
+}
+
 TEST_P(ReplaceFileTest, KeepsTheOldTextWhenOnlyAPartOfTheNewOneFits) {
   folder_.write("pids.json", "good");
   std::error_code error;

@@ -15,6 +15,8 @@ enum class Sync {
 /// Replaces a file in one step: readers see the old text or the new one, whole. The new text is
 /// written beside it, as `path` + ".new", and takes its place only when all of it was written.
 ///
+/// What is no file, such as /dev/stdout, is written to and stays what it is.
+///
 /// Returns why that failed (no_space_on_device, ...); the old file stays as it is then, and the new
 /// one is removed. Only one thread or process may replace a file at a time.
 [[nodiscard]] std::error_code replace_file(const std::string& path, const std::string& text,
