@@ -43,8 +43,8 @@ class EmergencyStopTest : public ::testing::Test {
 
   /// Starts Mission A and waits until the vehicle drives.
   void drive(const std::vector<std::string>& more = {}, int disk_mib = 0) {
-    std::vector<std::string> arguments{"mission.yaml", "--seed",    "1",       "--without",
-                                       "uxv/payload",  "--without", "gcs/view"};
+    std::vector<std::string> arguments{bringup_,      "--seed",    "1",       "--without",
+                                       "uxv/payload", "--without", "gcs/view"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     stack_.emplace(arguments, disk_mib);
     wheels_ = stack_->scratch() + "/wheels";
@@ -76,6 +76,7 @@ class EmergencyStopTest : public ::testing::Test {
                              [&] { return last_seen(wheels_) > rests + for_s; }) &&
            last_moved(wheels_) <= rests;
   }
+  std::string bringup_ = "mission.yaml";
   std::optional<Stack> stack_;
   std::string wheels_;
   std::optional<Peer> watch_;

@@ -18,12 +18,13 @@ Ended check(const std::string& arguments) {
 }
 
 TEST(Check, HasNoWarningForTheShippedFiles) {
-  for (const char* file : {"mission.yaml", "obstacles.yaml", "foresight.yaml", "survey.yaml",
-                           "teleop.yaml", "dock.yaml", "vehicle.yaml", "station.yaml",
-                           // What the packages put into /etc/tocsin.
-                           TOCSIN_REPOSITORY "/bringup/packaging/etc/vehicle.yaml",
-                           TOCSIN_REPOSITORY "/bringup/packaging/etc/station.yaml",
-                           TOCSIN_REPOSITORY "/bringup/packaging/etc/gateway.yaml"}) {
+  for (const char* file :
+       {"mission.yaml", "obstacles.yaml", "foresight.yaml", "survey.yaml", "two_paths.yaml",
+        "teleop.yaml", "dock.yaml", "vehicle.yaml", "station.yaml",
+        // What the packages put into /etc/tocsin.
+        TOCSIN_REPOSITORY "/bringup/packaging/etc/vehicle.yaml",
+        TOCSIN_REPOSITORY "/bringup/packaging/etc/station.yaml",
+        TOCSIN_REPOSITORY "/bringup/packaging/etc/gateway.yaml"}) {
     const Ended ended = check(std::string(file) + " --strict");
     EXPECT_EQ(ended.code, 0) << file;
     EXPECT_THAT(ended.output, EndsWith("components; 0 errors, 0 warnings\n"));

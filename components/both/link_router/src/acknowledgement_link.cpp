@@ -45,9 +45,12 @@ void AcknowledgementLink::finish(Instant at) {
     message->from_instance(parts_.link.self());
     message->to_instance(to.instance);
     for (const auto& service : services_) service->add_to(*message, to, at.now);
+    const CarriedSample packed =
+        parts_.link.pack(type_info<AcknowledgementMessage>(), std::move(message));
     // One that the middleware refuses is as good as lost: the next one has the same content.
-    (void)parts_.link.send(
-        flow_, parts_.link.pack(type_info<AcknowledgementMessage>(), std::move(message)), {});
+    for (PathIndex path = 0; path < parts_.link.paths(); ++path) {
+      if (due->paths[path]) (void)parts_.link.send(flow_, packed, {}, path);
+    }
   }
 }
 

@@ -98,6 +98,7 @@ FlowId CallLink::open(const Flow& flow, TrafficClass traffic_class) {
   rule.traffic_class = traffic_class;
   const FlowId id = parts_.link.open(flow, traffic_class);
   router::StreamRule stream = stream_rule(flow, rule);
+  stream.paths = parts_.link.rules().paths_of(traffic_class);
   stream.repaired = true;  // whatever its class: nobody asks twice
   parts_.streams.add(id, stream);
   return id;

@@ -39,7 +39,7 @@ bool is_settled(const DeliveryLog::Record& record) {
 void DeliveryLog::add(Record record) {
   const auto kept = std::make_shared<Record>(std::move(record));
   kept->order = ++last_order_;
-  Records& records = streams_[kept->sample->stream];
+  Records& records = streams_[{kept->sample->stream, kept->path}];
   records.push_back(kept);
   kept->sample->under_way += static_cast<unsigned>(kept->copies.size());
   if (!kept->copies.empty()) under_way_.push_back(kept);
@@ -48,9 +48,9 @@ void DeliveryLog::add(Record record) {
 }
 
 void DeliveryLog::forget_stream(StreamId stream) {
-  streams_.erase(stream);
+  for (PathIndex path = 0; path < most_paths; ++path) streams_.erase({stream, path});
   for (auto it = highest_.begin(); it != highest_.end();) {
-    it = it->first.first == stream ? highest_.erase(it) : std::next(it);
+    it = it->first.first.first == stream ? highest_.erase(it) : std::next(it);
   }
   under_way_.erase(std::remove_if(under_way_.begin(), under_way_.end(),
                                   [stream](const RecordPtr& record) {
@@ -81,6 +81,7 @@ void DeliveryLog::give_up(Ends ends, std::vector<Settlement>& settled) {
 Settlement DeliveryLog::settle(Record& record, Copy& copy, bool received) {
   Settlement settlement;
   settlement.peer = copy.peer;
+  settlement.path = record.path;
   settlement.received = received;
   settlement.cost = record.cost;
   settlement.burst = record.burst;
@@ -105,13 +106,14 @@ Settlement DeliveryLog::receive(Record& record, Copy& copy,
   Settlement one = settle(record, copy, true);
   one.is_exact = record.number == acknowledgement.highest && acknowledgement.age < longest_age;
   one.arrived = one.is_exact ? made - acknowledgement.age : made;
-  if (one.is_exact) highest_[{acknowledgement.stream, copy.peer}] = {record.number, copy.expected};
+  if (one.is_exact)
+    highest_[{{acknowledgement.stream, record.path}, copy.peer}] = {record.number, copy.expected};
   return one;
 }
 
 void DeliveryLog::take_stream(PeerIndex peer, const StreamAcknowledgement& acknowledgement,
                               Time made, std::vector<Settlement>& settled) {
-  const auto found = streams_.find(acknowledgement.stream);
+  const auto found = streams_.find({acknowledgement.stream, acknowledgement.path});
   if (found == streams_.end()) return;
   Records& records = found->second;
   for (const RecordPtr& record : records) {
@@ -129,7 +131,7 @@ void DeliveryLog::take_stream(PeerIndex peer, const StreamAcknowledgement& ackno
 
 void DeliveryLog::give_up_tail(PeerIndex peer, const StreamAcknowledgement& acknowledgement,
                                std::vector<Settlement>& lost) {
-  const auto found = highest_.find({acknowledgement.stream, peer});
+  const auto found = highest_.find({{acknowledgement.stream, acknowledgement.path}, peer});
   if (found == highest_.end() || found->second.number != acknowledgement.highest ||
       acknowledgement.age >= longest_age) {
     return;
@@ -139,21 +141,23 @@ void DeliveryLog::give_up_tail(PeerIndex peer, const StreamAcknowledgement& ackn
       [&](const Record& record, const Copy& copy) {
         return copy.peer == peer && record.sample->mends_with_bulk() &&
                record.sample->stream == acknowledgement.stream &&
-               record.number > acknowledgement.highest && copy.expected < latest;
+               record.path == acknowledgement.path && record.number > acknowledgement.highest &&
+               copy.expected < latest;
       },
       lost);
 }
 
 void DeliveryLog::give_up_overtaken(PeerIndex peer, const std::vector<Settlement>& received,
                                     std::vector<Settlement>& settled) {
-  std::array<std::uint64_t, traffic_classes.size()> latest{};
+  std::array<std::array<std::uint64_t, traffic_classes.size()>, most_paths> latest{};
   for (const Settlement& one : received) {
-    std::uint64_t& order = latest[index_of(one.sample->traffic_class)];
+    std::uint64_t& order = latest[one.path][index_of(one.sample->traffic_class)];
     order = std::max(order, one.order);
   }
   give_up(
       [&](const Record& record, const Copy& copy) {
-        return copy.peer == peer && record.order < latest[index_of(record.sample->traffic_class)];
+        return copy.peer == peer &&
+               record.order < latest[record.path][index_of(record.sample->traffic_class)];
       },
       settled);
 }
@@ -194,18 +198,23 @@ Time DeliveryLog::next_overdue() const {
   return next;
 }
 
-bool DeliveryLog::is_under_way(PeerIndex peer) const {
-  return std::any_of(under_way_.begin(), under_way_.end(), [peer](const RecordPtr& record) {
-    return std::any_of(record->copies.begin(), record->copies.end(),
+bool DeliveryLog::is_under_way(PeerIndex peer, PathIndex path) const {
+  return std::any_of(under_way_.begin(), under_way_.end(), [&](const RecordPtr& record) {
+    return record->path == path &&
+           std::any_of(record->copies.begin(), record->copies.end(),
                        [peer](const Copy& copy) { return copy.peer == peer && !copy.settled; });
   });
 }
 
-std::size_t DeliveryLog::count_under_way(PeerIndex peer, std::size_t packets) const {
+std::size_t DeliveryLog::count_under_way(PeerIndex peer, PathIndex path,
+                                         std::size_t packets) const {
   std::size_t divided = 0;
   std::size_t whole = 0;
   for (const RecordPtr& record : under_way_) {
-    if (record->cost.packets < packets || !record->sample->piece.is_last()) continue;
+    if (record->path != path || record->cost.packets < packets ||
+        !record->sample->piece.is_last()) {
+      continue;
+    }
     for (const Copy& copy : record->copies) {
       if (copy.peer == peer && !copy.settled) ++(record->sample->whole ? divided : whole);
     }

@@ -58,14 +58,14 @@ void LinkAdaptation::on_offered(StreamId stream, const WireCost& cost, Time now)
   to.peak_bytes_per_s = std::max(to.peak_bytes_per_s, to.nominal.bytes_per_s(now));
 }
 
-void LinkAdaptation::follow(const PeerPaths& paths, Time now) {
+void LinkAdaptation::follow(const LinkedPeers& peers, Time now) {
   if (updated_ != Time::min() && now - updated_ < scale_period) return;
   updated_ = now;
   AdaptiveScale::Input input;
-  input.capacity_bytes_per_s = paths.capacity_bytes_per_s(now);
+  input.capacity_bytes_per_s = peers.capacity_bytes_per_s(now);
   input.others_bytes_per_s = others_.bytes_per_s(now);
   for (const auto& entry : streams_) input.nominal_bytes_per_s += entry.second.peak_bytes_per_s;
-  input.silent = paths.is_silent(now);
+  input.silent = peers.is_silent(now);
   scale_.update(input, now);
 }
 

@@ -43,6 +43,7 @@ std::optional<Duration> WindowedMinimum::value() const {
 Time LinkEstimator::on_sent(const WireCost& cost, Time now) {
   drained_ =
       std::max(drained_, now) + seconds(static_cast<double>(cost.bytes) / capacity_bytes_per_s_);
+  paid_ = std::max(paid_, now) + seconds(static_cast<double>(cost.bytes) / limit_bytes_per_s_);
   if (!waiting_since_) waiting_since_ = now;
   ++unanswered_;
   return drained_;
@@ -94,13 +95,13 @@ void LinkEstimator::learn_capacity(const Received& received, Time arrived) {
 void LinkEstimator::on_lost() { blend(loss_, 1, loss_weight); }
 
 Duration LinkEstimator::backlog(Time now) const {
-  return std::max(drained_ - now, Duration::zero());
+  return std::max(std::max(drained_, paid_) - now, Duration::zero());
 }
 
 Duration LinkEstimator::expected_delay() const { return seconds(delay_s_ + 4 * deviation_s_); }
 
-bool LinkEstimator::is_silent(Time now) const {
-  return unanswered_ >= silence_means && waiting_since_ && now - *waiting_since_ > silent_after;
+bool LinkEstimator::is_silent(Time now, Duration after) const {
+  return unanswered_ >= silence_means && waiting_since_ && now - *waiting_since_ > after;
 }
 
 void LinkEstimator::start_over(Time now) {

@@ -36,6 +36,7 @@ void LinkEvents::on(const link_event::HostFlow& event, Instant at) {
     const Flow sent = on_link(event.what, rule);
     flow.on_link = link_.open(sent, rule.traffic_class);
     flow.rule = stream_rule(sent, rule);
+    flow.rule.paths = link_.rules().paths_of(rule.traffic_class);
     if (rule.max_rate_hz > 0) limit(flow, rule, at);
   }
   const LocalFlow& known = local_.insert_or_assign(event.flow, flow).first->second;
@@ -119,19 +120,57 @@ void LinkEvents::on(const link_event::PeerLost& event, Instant at) {
 
 void LinkEvents::on(const link_event::PeerFlow& event, Instant at) {
   if (peers_.find(event.peer) == nullptr) return;
+  if (event.what.path != 0) {
+    second_[event.flow] = {event, std::nullopt};
+    return join_paths();
+  }
   RemoteFlow& flow = remote_[event.flow];
-  flow = {event.flow, event.peer, event.wire_id, event.what, stream_rule(event.what, {}), nullptr};
+  flow = {event.flow, event.peer, {event.wire_id, 0}, event.what, stream_rule(event.what, {}),
+          nullptr};
   const auto service = std::find_if(services_.rbegin(), services_.rend(),
                                     [&](const auto& one) { return one->takes(event.what.topic); });
   flow.service = service->get();
   flow.service->on_remote_flow(flow, at);
+  join_paths();
+}
+
+void LinkEvents::join_paths() {
+  for (auto& entry : second_) {
+    SecondFlow& second = entry.second;
+    if (second.first) continue;
+    Flow what = second.event.what;
+    what.path = 0;
+    const auto found = std::find_if(remote_.begin(), remote_.end(), [&](const auto& one) {
+      return one.second.peer == second.event.peer && one.second.what == what;
+    });
+    if (found == remote_.end()) continue;
+    RemoteFlow& flow = found->second;
+    second.first = flow.id;
+    flow.wire_ids[1] = second.event.wire_id;
+    receiver_.on_stream(peers_.find(flow.peer)->name, second.event.wire_id, flow.rule, 1);
+  }
+}
+
+bool LinkEvents::forget_second(FlowId flow) {
+  const auto found = second_.find(flow);
+  if (found == second_.end()) return false;
+  const LinkPeer* const peer = peers_.find(found->second.event.peer);
+  if (peer != nullptr) receiver_.forget_stream(peer->name, found->second.event.wire_id);
+  const auto first = found->second.first ? remote_.find(*found->second.first) : remote_.end();
+  if (first != remote_.end()) first->second.wire_ids[1] = 0;
+  second_.erase(found);
+  return true;
 }
 
 void LinkEvents::on(const link_event::PeerFlowGone& event, Instant) {
+  if (forget_second(event.flow)) return;
   const auto found = remote_.find(event.flow);
   if (found == remote_.end()) return;
   found->second.service->on_remote_flow_gone(found->second);
   compressed_.forget(event.flow);
+  for (auto& entry : second_) {
+    if (entry.second.first == event.flow) entry.second.first.reset();
+  }
   remote_.erase(found);
 }
 
@@ -147,20 +186,28 @@ void LinkEvents::on(const link_event::PeerReaderGone& event, Instant at) {
   each([&](LinkService& one) { one.on_remote_reader_gone(*peer, event.flow, at.now); });
 }
 
-void LinkEvents::on(const link_event::LinkSample& event, Instant at) {
+void LinkEvents::on(const link_event::LinkSample& sample, Instant at) {
+  link_event::LinkSample event = sample;
+  const auto second = second_.find(event.flow);
+  if (second != second_.end()) {
+    if (!second->second.first) return;
+    event.flow = *second->second.first;
+    event.path = 1;
+  }
   const auto found = remote_.find(event.flow);
   if (found == remote_.end()) return;
   const RemoteFlow& flow = found->second;
   const LinkPeer* const peer = peers_.find(flow.peer);
   if (peer == nullptr) return;
   if (event.piece.is_whole()) return give(flow, event, at);
-  const auto pieces = receiver_.on_piece(peer->name,
-                                         {flow.wire_id, event.number, origin_of(event.sample),
-                                          event.piece, event.sample.content, event.sample.coding},
-                                         at.now);
+  const auto pieces =
+      receiver_.on_piece(peer->name,
+                         {flow.wire_ids[event.path], event.number, origin_of(event.sample),
+                          event.piece, event.sample.content, event.sample.coding},
+                         at.now);
   if (!pieces) return;
   const CarriedSample whole = link_.join(event.sample, *pieces);
-  give(flow, {event.flow, event.number, whole, event.received, {}}, at);
+  give(flow, {event.flow, event.number, whole, event.received, {}, event.path}, at);
 }
 
 void LinkEvents::give(const RemoteFlow& flow, link_event::LinkSample event, Instant at) {

@@ -47,7 +47,11 @@ class LinkEvents {
   void on(const link_event::PeerFlowGone& event, Instant at);
   void on(const link_event::PeerReaderMatched& event, Instant at);
   void on(const link_event::PeerReaderGone& event, Instant at);
-  void on(const link_event::LinkSample& event, Instant at);
+  void on(const link_event::LinkSample& sample, Instant at);
+  /// Flows of the second path belong to those of the first that they are equal to.
+  void join_paths();
+  /// Whether it was one of the second path.
+  bool forget_second(FlowId flow);
   void give(const RemoteFlow& flow, link_event::LinkSample event, Instant at);
   /// Nothing when its base is not here, or is another.
   [[nodiscard]] std::optional<CarriedSample> restored(FlowId flow, const CarriedSample& sample);
@@ -59,6 +63,12 @@ class LinkEvents {
   router::CompressedSamples compressed_;
   std::map<FlowId, LocalFlow> local_;
   std::map<FlowId, RemoteFlow> remote_;
+  /// A peer's flow on the second path.
+  struct SecondFlow {
+    link_event::PeerFlow event;
+    std::optional<FlowId> first;  ///< the flow that it belongs to, once that is known
+  };
+  std::map<FlowId, SecondFlow> second_;
   std::map<FlowId, WriterLimits> limits_;  ///< of flows of the host with `max_rate_hz`
   /// The transforms of a flow with `max_rate_hz`, as one source.
   struct Merging {

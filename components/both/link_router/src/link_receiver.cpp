@@ -32,6 +32,7 @@ void LinkReceiver::on_peer(const std::string& peer, InstanceId instance) {
   if (known.instance == instance) return;
   known.instance = instance;
   known.streams.clear();
+  known.partial.clear();
   known.acknowledgements = 0;
   known.acknowledgement_due = Time::min();
 }
@@ -41,20 +42,28 @@ void LinkReceiver::forget_peer(const std::string& peer) {
   if (known == peers_.end()) return;
   known->second.instance.reset();
   known->second.streams.clear();
+  known->second.partial.clear();
   known->second.acknowledgement_due = never;
 }
 
-void LinkReceiver::on_stream(const std::string& peer, StreamId stream, const StreamRule& rule) {
+void LinkReceiver::on_stream(const std::string& peer, StreamId stream, const StreamRule& rule,
+                             PathIndex path) {
   const auto known = peers_.find(peer);
   if (known == peers_.end() || !known->second.instance) return;
   Stream one;
   one.rule = rule;
+  one.path = path;
   known->second.streams[stream] = std::move(one);
 }
 
 void LinkReceiver::forget_stream(const std::string& peer, StreamId stream) {
   const auto known = peers_.find(peer);
-  if (known != peers_.end()) known->second.streams.erase(stream);
+  if (known == peers_.end()) return;
+  auto& streams = known->second.streams;
+  const auto found = streams.find(stream);
+  if (found == streams.end()) return;
+  known->second.partial.erase(found->second.rule.name);
+  streams.erase(found);
 }
 
 Disposition LinkReceiver::on_arrived(const std::string& peer, const Arrived& arrived, Time now) {
@@ -64,6 +73,7 @@ Disposition LinkReceiver::on_arrived(const std::string& peer, const Arrived& arr
   const auto found = from.streams.find(arrived.stream);
   if (found == from.streams.end()) return Disposition::unknown_stream;
   const StreamRule& rule = found->second.rule;
+  from.came_by[found->second.path] = true;
   ask_for_acknowledgement(from, now, rule.repaired ? acknowledgement_period : relaxed_period);
   const Disposition disposition = judge(from, rule, arrived.origin, now);
   const bool in_vain =
@@ -73,9 +83,7 @@ Disposition LinkReceiver::on_arrived(const std::string& peer, const Arrived& arr
   return disposition;
 }
 
-std::list<LinkReceiver::Partial>::iterator LinkReceiver::partial_of(Stream& stream,
-                                                                    const Arrived& arrived) {
-  auto& all = stream.partial;
+LinkReceiver::Partials::iterator LinkReceiver::partial_of(Partials& all, const Arrived& arrived) {
   const auto known = std::find_if(all.begin(), all.end(), [&](const Partial& one) {
     return one.source == arrived.origin.source && one.sequence == arrived.origin.sequence &&
            one.coding == arrived.coding && one.there.size() == arrived.piece.count;
@@ -100,13 +108,15 @@ std::optional<std::vector<std::shared_ptr<const void>>> LinkReceiver::on_piece(
   const auto found = known->second.streams.find(arrived.stream);
   if (found == known->second.streams.end()) return std::nullopt;
   Stream& stream = found->second;
-  const auto partial = partial_of(stream, arrived);
+  known->second.came_by[stream.path] = true;
+  Partials& partials = known->second.partial[stream.rule.name];
+  const auto partial = partial_of(partials, arrived);
   partial->last = now;
   partial->there[arrived.piece.index] = true;
   partial->pieces[arrived.piece.index] = arrived.content;
   if (std::count(partial->there.begin(), partial->there.end(), false) == 0) {
     auto pieces = std::move(partial->pieces);
-    stream.partial.erase(partial);
+    partials.erase(partial);
     // The next bulk waits for it.
     if (pieces.size() >= bulk_packets)
       ask_for_acknowledgement(known->second, now, acknowledgement_period);
@@ -193,9 +203,16 @@ void LinkReceiver::ask_for_acknowledgement(const std::string& peer, Time now) {
 
 std::optional<LinkReceiver::Addressed> LinkReceiver::take_acknowledgement(Time now) {
   for (auto& [name, peer] : peers_) {
-    if (peer.acknowledgement_due <= now) return Addressed{name, make_acknowledgement(peer, now)};
+    if (peer.acknowledgement_due > now) continue;
+    const auto paths = paths_back(peer);
+    return Addressed{name, make_acknowledgement(peer, now), paths};
   }
   return std::nullopt;
+}
+
+std::array<bool, most_paths> LinkReceiver::paths_back(Peer& peer) {
+  const auto paths = std::exchange(peer.came_by, {});
+  return paths[0] || paths[1] ? paths : std::array{true, true};
 }
 
 LinkAcknowledgement LinkReceiver::make_acknowledgement(Peer& peer, Time now) {
@@ -204,7 +221,8 @@ LinkAcknowledgement LinkReceiver::make_acknowledgement(Peer& peer, Time now) {
   const bool idle = !peer.acknowledgement_sent || now - *peer.acknowledgement_sent >= all_after;
   for (const auto& [id, stream] : peer.streams) {
     if (stream.highest == 0 || (!idle && now - stream.noted > repeated_for)) continue;
-    acknowledgement.streams.push_back({id, stream.highest, now - stream.last, stream.before});
+    acknowledgement.streams.push_back(
+        {id, stream.highest, now - stream.last, stream.before, stream.path});
   }
   peer.acknowledgement_sent = now;
   peer.acknowledgement_due =
@@ -213,8 +231,8 @@ LinkAcknowledgement LinkReceiver::make_acknowledgement(Peer& peer, Time now) {
 }
 
 bool LinkReceiver::misses_pieces(const Peer& peer, Time now) {
-  return std::any_of(peer.streams.begin(), peer.streams.end(), [now](const auto& entry) {
-    const auto& partial = entry.second.partial;
+  return std::any_of(peer.partial.begin(), peer.partial.end(), [now](const auto& entry) {
+    const auto& partial = entry.second;
     return std::any_of(partial.begin(), partial.end(),
                        [now](const Partial& one) { return now - one.last < pieces_missed_for; });
   });

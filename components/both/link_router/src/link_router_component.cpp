@@ -66,6 +66,7 @@ LinkRouterComponent::Router::Router(Component& owner, Context& context, Logger& 
   services_.push_back(std::make_unique<CallLink>(parts));
   services_.push_back(std::move(backfill));
   services_.push_back(std::move(reports));
+  if (link_->paths() > 1) sender_.add_path();
 }
 
 Time LinkRouterComponent::Router::tick(Instant at) {

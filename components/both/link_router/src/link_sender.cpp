@@ -26,8 +26,8 @@ LinkSender::LinkSender(const LinkRouterParams& params)
     : params_(params),
       queue_(static_cast<std::size_t>(params.queue_bytes)),
       log_(patience_of(params)),
-      pacer_(params, paths_, log_),
-      retransmitter_(params, paths_, pacer_, gate_),
+      pacer_(params, peers_, log_),
+      retransmitter_(params, peers_, pacer_, gate_),
       adaptation_(params) {
   check(params);
 }
@@ -51,32 +51,33 @@ void LinkSender::remove_stream(StreamId stream) {
   }
   const auto is_of_stream = [stream](const auto& sent) { return sent->stream == stream; };
   burst_.erase(std::remove_if(burst_.begin(), burst_.end(), is_of_stream), burst_.end());
+  copies_.erase(std::remove_if(copies_.begin(), copies_.end(), is_of_stream), copies_.end());
   streams_.erase(found);
   adaptation_.forget_stream(stream);
   counters_.forget_stream(stream);
   log_.forget_stream(stream);
-  paths_.forget_stream(stream);
+  peers_.forget_stream(stream);
 }
 
 void LinkSender::on_peer(const std::string& peer, InstanceId instance, Time now) {
-  const PeerPath* const known = paths_.find(peer);
+  const LinkedPeer* const known = peers_.find(peer);
   if (known != nullptr && known->instance == instance) return;
   forget_peer(peer, now);
-  paths_.add(peer, instance);
+  peers_.add(peer, instance);
 }
 
 void LinkSender::forget_peer(const std::string& peer, Time now) {
-  const PeerPath* const known = paths_.find(peer);
+  const LinkedPeer* const known = peers_.find(peer);
   if (known == nullptr) return;
   const PeerIndex index = known->index;
-  paths_.remove(peer);
+  peers_.remove(peer);
   apply(log_.forget_peer(index), now);
   retransmitter_.forget_reader(index, std::nullopt);
   conclude(now);
 }
 
 void LinkSender::set_wanted(const std::string& peer, StreamId stream, bool wanted, Time now) {
-  PeerPath* const to = paths_.find(peer);
+  LinkedPeer* const to = peers_.find(peer);
   const auto found = streams_.find(stream);
   if (to == nullptr || found == streams_.end()) return;
   if (!wanted) {
@@ -166,10 +167,16 @@ std::optional<Transmission> LinkSender::next(Time now) {
     burst_.pop_front();
     return transmit(piece, now);
   }
+  if (!copies_.empty()) {
+    const SentSamplePtr piece = copies_.front();
+    copies_.pop_front();
+    return put_copy(piece, now);
+  }
+  choose_path(now);
   apply(log_.give_up_overdue(now), now);
   drop(queue_.take_expired(now));
   conclude(now);
-  adaptation_.follow(paths_, now);
+  adaptation_.follow(peers_, now);
   for (const TrafficClass traffic_class : traffic_classes) {
     if (auto one = next_of(traffic_class, now)) return one;
   }
@@ -181,7 +188,7 @@ std::optional<Transmission> LinkSender::next_of(TrafficClass traffic_class, Time
   const bool has_new = queue_.samples(traffic_class) > 0;
   if (lost || has_new) {
     const std::size_t packets = pacer_.packets_allowed(traffic_class, now);
-    const bool is_first = !has_new || !paths_.is_silent(now);  // what finds the peer alive is fresh
+    const bool is_first = !has_new || !peers_.is_silent(now);  // what finds the peer alive is fresh
     if (lost && is_first && packets > bulk_packets) return transmit(lost, now);
     while (const auto waiting = queue_.take_first(traffic_class, packets)) {
       if (can_arrive(*waiting, now)) return send_first(*waiting, now);
@@ -194,7 +201,7 @@ std::optional<Transmission> LinkSender::next_of(TrafficClass traffic_class, Time
 
 bool LinkSender::can_arrive(const Waiting& waiting, Time now) const {
   if (waiting.expires == never) return true;
-  const double capacity_bytes_per_s = paths_.capacity_bytes_per_s(now);
+  const double capacity_bytes_per_s = peers_.capacity_bytes_per_s(now);
   const Duration takes = seconds(static_cast<double>(waiting.cost.bytes) / capacity_bytes_per_s);
   // A fresh one always goes, or a capacity that is believed too small is never measured.
   const Duration life = waiting.expires - waiting.offered;
@@ -216,6 +223,7 @@ Transmission LinkSender::send_first(const Waiting& waiting, Time now) {
   compress(*sent);
   const auto pieces = in_pieces(sent);
   burst_.assign(pieces.begin() + 1, pieces.end());
+  if (goes_by_both(*sent, now)) copies_.assign(pieces.begin(), pieces.end());
   return transmit(pieces.front(), now);
 }
 
@@ -248,7 +256,7 @@ SentSamplePtr LinkSender::make_sent(const Waiting& waiting) {
   sent->while_paused = rule.while_paused;
   sent->is_repaired = rule.repaired;
   sent->is_stored = rule.stored;
-  sent->missing = paths_.readers_of(waiting.stream);
+  sent->missing = peers_.readers_of(waiting.stream);
   if (rule.durable) {
     source_of(stream, sent->sample).newest = sent;
   } else if (sent->expires == never) {
@@ -273,27 +281,14 @@ void LinkSender::note_base(const SentSample& sent) {
 }
 
 Transmission LinkSender::transmit(const SentSamplePtr& sent, Time now) {
-  const Stream& stream = streams_.at(sent->stream);
-  const WireCost& cost = sent->cost;
   const bool was_sent = sent->transmissions > 0;
-  Transmission one{sent->stream, sent->sample,
-                   sent->piece,  sent->piece.size(sent->plain.bytes),
-                   false,        {0, now, cost, 0, sent, {}}};
-  if (sent->burst != 0 && !was_sent) {
-    one.record.cost = sent->burst_cost;
-    one.record.burst = sent->burst;
-  }
-  Duration expected{0};
-  for (auto& entry : paths_.all()) {
-    PeerPath& peer = entry.second;
-    if (peer.wanted.count(sent->stream) == 0) continue;
-    const Duration wait = std::min(peer.estimator.backlog(now), peer.estimator.expected_delay());
-    expected = std::max(expected, wait);
-    one.record.copies.push_back({peer.index, peer.estimator.on_sent(cost, now), false, false});
-  }
+  sent->path = was_sent ? path_of_repair(*sent, now) : peers_.path();
+  const Duration expected = expected_wait(*sent, now);
+  Transmission one = put(sent, now);
   retransmitter_.schedule(*sent, expected, now);
-  pacer_.on_sent(now);
+  const Stream& stream = streams_.at(sent->stream);
   if (stream.is_backfill) return one;
+  const WireCost& cost = sent->cost;
   one.repair = was_sent;
   if (!stream.rule.adaptive) adaptation_.on_other(cost, now);
   if (was_sent || !sent->counted) {
@@ -302,6 +297,75 @@ Transmission LinkSender::transmit(const SentSamplePtr& sent, Time now) {
                             : retransmitter_.spend(cost.bytes, now);
   }
   return one;
+}
+
+Transmission LinkSender::put(const SentSamplePtr& sent, Time now) {
+  const WireCost& cost = sent->cost;
+  const PathIndex path = sent->path;
+  Transmission one{sent->stream,
+                   sent->sample,
+                   sent->piece,
+                   sent->piece.size(sent->plain.bytes),
+                   false,
+                   path,
+                   {0, path, now, cost, 0, sent, {}}};
+  if (sent->burst != 0 && sent->transmissions == 0) {
+    one.record.cost = sent->burst_cost;
+    one.record.burst = sent->burst;
+  }
+  for (auto& entry : peers_.all()) {
+    LinkedPeer& peer = entry.second;
+    if (peer.wanted.count(sent->stream) == 0) continue;
+    const Time leaves = peer.estimators[path].on_sent(cost, now);
+    one.record.copies.push_back({peer.index, leaves, false, false});
+  }
+  pacer_.on_sent(now);
+  sent_by_[path] = now;
+  return one;
+}
+
+Transmission LinkSender::put_copy(const SentSamplePtr& sent, Time now) {
+  sent->path = other_path(sent->path);
+  Transmission one = put(sent, now);
+  one.repair = true;
+  counters_.on_repair(sent->traffic_class, sent->cost.bytes);
+  return one;
+}
+
+bool LinkSender::goes_by_both(const SentSample& sent, Time now) const {
+  if (!peers_.has_two_paths()) return false;
+  const Time other_sent = sent_by_[other_path(peers_.path())];
+  if (other_sent == Time::min() || now - other_sent >= path_probe_period) {
+    return sent.cost.packets == 1;
+  }
+  if (streams_.at(sent.stream).rule.paths != PathUse::both) return false;
+  const PathHealth better = peers_.health(peers_.path(), now);
+  return better.is_silent || better.loss > poor_loss;
+}
+
+PathIndex LinkSender::path_of_repair(const SentSample& sent, Time now) const {
+  if (!peers_.has_two_paths() || streams_.at(sent.stream).rule.paths == PathUse::best) {
+    return peers_.path();
+  }
+  const PathIndex other = other_path(sent.path);
+  const bool answers = !peers_.health(other, now).is_silent;
+  return answers || peers_.health(sent.path, now).is_silent ? other : sent.path;
+}
+
+Duration LinkSender::expected_wait(const SentSample& sent, Time now) const {
+  Duration expected{0};
+  for (const auto& entry : peers_.all()) {
+    if (entry.second.wanted.count(sent.stream) == 0) continue;
+    const LinkEstimator& estimator = entry.second.estimators[sent.path];
+    expected = std::max(expected, std::min(estimator.backlog(now), estimator.expected_delay()));
+  }
+  return expected;
+}
+
+void LinkSender::choose_path(Time now) {
+  if (!peers_.has_two_paths()) return;
+  const bool was_silent = peers_.health(peers_.path(), now).is_silent;
+  if (peers_.choose_path(now) && was_silent) retransmitter_.revive_elsewhere(now);
 }
 
 void LinkSender::on_written(const Transmission& transmission, TransmissionNumber number) {
@@ -325,19 +389,30 @@ Time LinkSender::deadline(Time now) const {
 
 void LinkSender::on_acknowledgement(const std::string& peer,
                                     const LinkAcknowledgement& acknowledgement, Time now) {
-  PeerPath* const from = paths_.find(peer);
+  LinkedPeer* const from = peers_.find(peer);
   if (from == nullptr) return;
   // An older or repeated one is as true as when it was made, so that no count is remembered.
-  const bool was_silent = from->estimator.is_silent(now);
+  std::array<bool, most_paths> was_silent{};
+  for (PathIndex path = 0; path < most_paths; ++path) {
+    was_silent[path] = from->estimators[path].is_silent(now);
+  }
   const auto settlements = log_.on_acknowledgement(from->index, acknowledgement);
-  const bool received = std::any_of(settlements.begin(), settlements.end(),
-                                    [](const Settlement& one) { return one.received; });
   apply(settlements, now);
-  if (!received) return;
-  if (!log_.is_under_way(from->index)) from->estimator.on_all_settled();
+  for (PathIndex path = 0; path < most_paths; ++path) {
+    const bool received =
+        std::any_of(settlements.begin(), settlements.end(),
+                    [path](const Settlement& one) { return one.received && one.path == path; });
+    if (received) on_arrivals(*from, path, was_silent[path], now);
+  }
+}
+
+void LinkSender::on_arrivals(LinkedPeer& peer, PathIndex path, bool was_silent, Time now) {
+  LinkEstimator& estimator = peer.estimators[path];
+  if (!log_.is_under_way(peer.index, path)) estimator.on_all_settled();
   if (!was_silent) return;
-  from->estimator.start_over(now);
-  retransmitter_.revive(now);
+  estimator.start_over(now);
+  const bool was_all_silent = path == peers_.path() || peers_.is_silent(now);
+  if (was_all_silent) retransmitter_.revive(now);
 }
 
 void LinkSender::apply(const std::vector<Settlement>& settlements, Time now) {
@@ -346,19 +421,20 @@ void LinkSender::apply(const std::vector<Settlement>& settlements, Time now) {
 }
 
 void LinkSender::apply(const Settlement& settlement, Time now) {
-  PeerPath* const peer = paths_.find(settlement.peer);
+  LinkedPeer* const peer = peers_.find(settlement.peer);
   if (peer == nullptr) return;
+  LinkEstimator& estimator = peer->estimators[settlement.path];
   SentSample& sent = *settlement.sample;
   if (!settlement.received) {
     // Where nothing bounds the repairs, at growing intervals: nobody may know of the arrival.
     const bool at_once = !sent.is_repaired || sent.transmissions == 1;
     if (sent.mends_with_bulk() && sent.under_way == 0 && at_once) sent.repair_at = now;
-    return peer->estimator.on_lost();
+    return estimator.on_lost();
   }
   const Duration delay =
-      peer->estimator.on_received({settlement.cost, settlement.sent, settlement.expected,
-                                   settlement.arrived, settlement.is_exact, settlement.burst},
-                                  now);
+      estimator.on_received({settlement.cost, settlement.sent, settlement.expected,
+                             settlement.arrived, settlement.is_exact, settlement.burst},
+                            now);
   if (settlement.is_exact && sent.piece.is_last()) counters_.on_delay(sent.traffic_class, delay);
   const auto place = std::find(sent.missing.begin(), sent.missing.end(), settlement.peer);
   if (place == sent.missing.end()) return;
@@ -421,14 +497,14 @@ std::vector<Transmission> LinkSender::backfill(StreamId stream, const Sample& sa
   sent->expires = now;
   sent->counted = false;
   sent->superseded = true;
-  sent->missing = paths_.readers_of(stream);
+  sent->missing = peers_.readers_of(stream);
   std::vector<Transmission> all;
   for (const SentSamplePtr& piece : in_pieces(sent)) all.push_back(transmit(piece, now));
   return all;
 }
 
 std::vector<StreamBudget> LinkSender::budgets(Time now) const {
-  const bool is_full = paths_.backlog(now) > seconds(params_.hold_backlog_s);
+  const bool is_full = peers_.backlog(now) > seconds(params_.hold_backlog_s);
   return adaptation_.budgets([&](StreamId stream) { return is_full || queue_.has(stream); });
 }
 
@@ -446,18 +522,30 @@ LinkStateValues LinkSender::state(Time now) const {
     counts.waiting_samples += held.samples;
     counts.waiting_bytes += held.bytes;
   }
-  const LinkEstimator* const slowest = paths_.slowest(now);
-  values.capacity_bytes_per_s = paths_.capacity_bytes_per_s(now);
+  const LinkEstimator* const slowest = peers_.slowest(now);
+  values.capacity_bytes_per_s = peers_.capacity_bytes_per_s(now);
   values.capacity_measured = slowest != nullptr && slowest->is_capacity_measured();
-  values.backlog = paths_.backlog(now);
+  values.backlog = peers_.backlog(now);
   values.scale = adaptation_.scale();
   values.repair_share = retransmitter_.share(now);
   values.paused = gate_.is_paused();
-  for (const auto& entry : paths_.all()) {
-    const LinkEstimator& estimator = entry.second.estimator;
-    ++(estimator.is_silent(now) ? values.silent_peers : values.live_peers);
-    values.loss = std::max(values.loss, estimator.loss());
+  for (const auto& entry : peers_.all()) {
+    ++(peers_.is_silent(entry.second, now) ? values.silent_peers : values.live_peers);
+    values.loss = std::max(values.loss, entry.second.estimators[peers_.path()].loss());
   }
+  if (peers_.has_two_paths()) values.paths = {path_values(0, now), path_values(1, now)};
+  return values;
+}
+
+PathValues LinkSender::path_values(PathIndex path, Time now) const {
+  const PathHealth health = peers_.health(path, now);
+  PathValues values;
+  values.chosen = path == peers_.path();
+  values.silent = health.is_silent;
+  values.capacity_bytes_per_s = peers_.capacity_bytes_per_s(path, now);
+  values.backlog = peers_.backlog(path, now);
+  values.loss = health.loss;
+  if (health.is_known) values.delay = health.delay;
   return values;
 }
 

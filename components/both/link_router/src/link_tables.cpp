@@ -58,9 +58,11 @@ void LinkStreams::remove(FlowId flow) {
   sender_.remove_stream(flow);
 }
 
-std::optional<router::StreamId> LinkStreams::find(std::uint32_t wire_id) const {
+std::optional<StreamPath> LinkStreams::find(std::uint32_t wire_id) const {
   for (const auto& entry : sent_bytes_) {
-    if (link_.wire_id(entry.first) == wire_id) return entry.first;
+    for (PathIndex path = 0; path < link_.paths(); ++path) {
+      if (link_.wire_id(entry.first, path) == wire_id) return StreamPath{entry.first, path};
+    }
   }
   return std::nullopt;
 }
@@ -68,7 +70,8 @@ std::optional<router::StreamId> LinkStreams::find(std::uint32_t wire_id) const {
 void LinkStreams::send(Time now) {
   while (const auto transmission = sender_.next(now)) {
     const router::Sample& sample = transmission->sample;
-    const auto number = link_.send(transmission->stream, carried(sample), transmission->piece);
+    const auto number =
+        link_.send(transmission->stream, carried(sample), transmission->piece, transmission->path);
     if (!number) continue;
     sender_.on_written(*transmission, *number);
     SentBytes& sent = sent_bytes_.at(transmission->stream);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -62,7 +63,7 @@ class LinkService;
 struct RemoteFlow {
   FlowId id = 0;
   PeerId peer = 0;
-  std::uint32_t wire_id = 0;
+  std::array<std::uint32_t, most_paths> wire_ids{};  ///< of its writer on each path
   Flow what;
   router::StreamRule rule;
   LinkService* service = nullptr;  ///< that takes it
@@ -72,6 +73,11 @@ struct RemoteFlow {
 struct SentBytes {
   std::uint64_t bytes = 0;  ///< as it was sent
   std::uint64_t plain = 0;  ///< had nothing been compressed
+};
+
+struct StreamPath {
+  router::StreamId stream = 0;
+  PathIndex path = 0;
 };
 
 /// The streams of this router's sender, by their flow on the link.
@@ -84,8 +90,8 @@ class LinkStreams {
   void add_backfill(FlowId flow);
   void remove(FlowId flow);
   [[nodiscard]] bool has(FlowId flow) const { return sent_bytes_.count(flow) != 0; }
-  /// The stream of a wire id; empty when there is none.
-  [[nodiscard]] std::optional<router::StreamId> find(std::uint32_t wire_id) const;
+  /// The stream of a wire id, and its path; empty when there is none.
+  [[nodiscard]] std::optional<StreamPath> find(std::uint32_t wire_id) const;
   /// Sends what is due.
   void send(Time now);
   [[nodiscard]] SentBytes sent_bytes(FlowId flow) const { return sent_bytes_.at(flow); }

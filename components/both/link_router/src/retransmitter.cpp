@@ -69,6 +69,16 @@ void Retransmitter::revive(Time now) {
   }
 }
 
+void Retransmitter::revive_elsewhere(Time now) {
+  revive(now);
+  double lost_bytes = 0;
+  for (const SentSamplePtr& sent : open_) {
+    if (can_repair(*sent, now)) lost_bytes += static_cast<double>(sent->cost.bytes);
+  }
+  bytes_ = allowance(now) + lost_bytes;
+  filled_ = now;
+}
+
 std::vector<SentSamplePtr> Retransmitter::conclude(Time now) {
   std::vector<SentSamplePtr> concluded;
   for (auto it = open_.begin(); it != open_.end();) {
@@ -99,8 +109,8 @@ void Retransmitter::spend(std::size_t bytes, Time now) {
 
 double Retransmitter::allowance(Time now) const {
   const double since_s = to_seconds(now - filled_);
-  return std::min(bytes_ + params_.repair_share * paths_.capacity_bytes_per_s(now) * since_s,
-                  burst_bytes);
+  return std::min(bytes_ + params_.repair_share * peers_.capacity_bytes_per_s(now) * since_s,
+                  std::max(burst_bytes, bytes_));
 }
 
 bool Retransmitter::can_repair(const SentSample& sent, Time now) const {
@@ -158,12 +168,12 @@ Time Retransmitter::ready(Time now) const {
   const double lacking = -allowance(now);
   if (lacking < 0) return opens;
   const double rate_bytes_per_s =
-      std::max(params_.repair_share * paths_.capacity_bytes_per_s(now), 1.0);
+      std::max(params_.repair_share * peers_.capacity_bytes_per_s(now), 1.0);
   return std::max(opens, now + seconds((lacking + 1) / rate_bytes_per_s));
 }
 
 double Retransmitter::share(Time now) const {
-  return std::min(rate_.bytes_per_s(now) / paths_.capacity_bytes_per_s(now), 1.0);
+  return std::min(rate_.bytes_per_s(now) / peers_.capacity_bytes_per_s(now), 1.0);
 }
 
 }  // namespace tocsin::router

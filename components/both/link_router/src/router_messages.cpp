@@ -53,6 +53,18 @@ tocsin_msgs::msg::LinkClass to_message(TrafficClass traffic_class,
   return message;
 }
 
+tocsin_msgs::msg::LinkPath to_message(const router::PathValues& path) {
+  tocsin_msgs::msg::LinkPath message;
+  message.chosen(path.chosen);
+  message.silent(path.silent);
+  message.capacity_bytes_per_s(static_cast<float>(path.capacity_bytes_per_s));
+  message.backlog_s(static_cast<float>(to_seconds(path.backlog)));
+  message.loss(static_cast<float>(path.loss));
+  message.delay_s(path.delay ? static_cast<float>(to_seconds(*path.delay))
+                             : std::numeric_limits<float>::quiet_NaN());
+  return message;
+}
+
 }  // namespace
 
 Flow on_link(Flow flow, const TrafficRule& rule) {
@@ -114,7 +126,7 @@ tocsin_msgs::msg::LinkAcknowledgement to_message(
 
 std::optional<router::LinkAcknowledgement> to_acknowledgement(
     const tocsin_msgs::msg::LinkAcknowledgement& message,
-    const std::function<std::optional<router::StreamId>(std::uint32_t)>& stream_of) {
+    const std::function<std::optional<StreamPath>(std::uint32_t)>& stream_of) {
   if (!is_sound(message)) return std::nullopt;
   router::LinkAcknowledgement acknowledgement;
   acknowledgement.made = Time(Duration(message.made_ns()));
@@ -123,8 +135,9 @@ std::optional<router::LinkAcknowledgement> to_acknowledgement(
   for (std::size_t i = 0; i < message.streams().size(); ++i) {
     const auto stream = stream_of(message.streams()[i]);
     if (!stream) continue;
-    acknowledgement.streams.push_back(
-        {*stream, message.highest()[i], message.age_100us()[i] * age_unit, message.before()[i]});
+    acknowledgement.streams.push_back({stream->stream, message.highest()[i],
+                                       message.age_100us()[i] * age_unit, message.before()[i],
+                                       stream->path});
   }
   return acknowledgement;
 }
@@ -151,6 +164,11 @@ tocsin_msgs::msg::LinkState to_message(const router::LinkStateValues& values,
   message.acknowledgement_bytes(packets.acknowledgement_bytes);
   message.backfill_bytes(packets.backfill_bytes);
   message.stop_bytes(packets.stop_bytes);
+  for (const router::PathValues& path : values.paths) {
+    message.paths().push_back(to_message(path));
+    message.paths().back().bytes(packets.bytes - packets.second_bytes);
+  }
+  if (!message.paths().empty()) message.paths().back().bytes(packets.second_bytes);
   return message;
 }
 

@@ -8,6 +8,7 @@
 #include "link_router/link_acknowledgement.hpp"
 #include "link_router/link_state_values.hpp"
 #include "link_router/transmission.hpp"
+#include "link_tables.hpp"
 #include "runtime/middleware/link_bus.hpp"
 #include "tocsin_idl/tocsin_msgs.hpp"
 
@@ -28,11 +29,11 @@ namespace tocsin {
     const router::LinkAcknowledgement& acknowledgement);
 /// Whether its lists are of one length.
 [[nodiscard]] bool is_sound(const tocsin_msgs::msg::LinkAcknowledgement& message);
-/// Nothing when its lists are not of one length. `stream_of` is the stream of a wire id; what it
-/// does not know is left out.
+/// Nothing when its lists are not of one length. `stream_of` is the stream and path of a wire id;
+/// what it does not know is left out.
 [[nodiscard]] std::optional<router::LinkAcknowledgement> to_acknowledgement(
     const tocsin_msgs::msg::LinkAcknowledgement& message,
-    const std::function<std::optional<router::StreamId>(std::uint32_t)>& stream_of);
+    const std::function<std::optional<StreamPath>(std::uint32_t)>& stream_of);
 
 /// Without stamp and role.
 [[nodiscard]] tocsin_msgs::msg::LinkState to_message(const router::LinkStateValues& values,

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <deque>
 #include <functional>
 #include <map>
@@ -38,10 +39,14 @@ class LinkPair {
     receiver.on_peer("vehicle", 1);
   }
 
+  /// A second path, which is as the first.
+  void add_path() { sender.add_path(); }
+
   void add(StreamId stream, StreamRule rule) {
     rule.name += std::to_string(stream);
     sender.add_stream(stream, rule);
     receiver.on_stream("vehicle", stream, rule);
+    receiver.on_stream("vehicle", stream + second_wire, rule, 1);
     sender.set_wanted("station", stream, true, now);
   }
 
@@ -58,8 +63,8 @@ class LinkPair {
       arrive();
       while (const auto acknowledgement = receiver.take_acknowledgement(now + clock_difference)) {
         ++acknowledgements;
-        if (!acknowledgements_lost && !dead)
-          sender.on_acknowledgement("station", acknowledgement->acknowledgement, now);
+        if (acknowledgements_lost || dead || !comes_back(acknowledgement->paths)) continue;
+        sender.on_acknowledgement("station", by_stream(acknowledgement->acknowledgement), now);
       }
     }
   }
@@ -76,7 +81,9 @@ class LinkPair {
   Time now = t0;
   LinkSender sender;
   LinkReceiver receiver;
-  bool dead = false;  ///< nothing crosses
+  bool dead = false;                          ///< nothing crosses
+  std::array<bool, most_paths> dead_paths{};  ///< nothing crosses by it
+  std::array<Duration, most_paths> delays{2 * ms, 2 * ms};
   /// Of what is sent, what the radio loses.
   std::function<bool(const Transmission&)> loses = [](const Transmission&) { return false; };
   bool acknowledgements_lost = false;  ///< of the way back only
@@ -85,40 +92,54 @@ class LinkPair {
   int acknowledgements = 0;
 
  private:
+  /// Wire ids of the second path are those of the first and so much.
+  static constexpr StreamId second_wire = 1000;
   struct OnAir {
     Time arrives;
     Transmission what;
     TransmissionNumber number;
   };
+  [[nodiscard]] bool comes_back(const std::array<bool, most_paths>& paths) const {
+    return (paths[0] && !dead_paths[0]) || (paths[1] && !dead_paths[1]);
+  }
+  static LinkAcknowledgement by_stream(LinkAcknowledgement acknowledgement) {
+    for (StreamAcknowledgement& one : acknowledgement.streams) one.stream %= second_wire;
+    return acknowledgement;
+  }
   void send() {
     while (const auto one = sender.next(now)) {
       sent.push_back(*one);
-      const TransmissionNumber number = ++numbers_[one->stream];
+      const TransmissionNumber number = ++numbers_[{one->stream, one->path}];
       sender.on_written(*one, number);
       const std::size_t packets = wire_cost(one->sample.bytes, one->piece).packets;
       const bool is_bulk = packets > 1 || !one->piece.is_whole();
       drained_ = std::max(drained_, now) + (is_bulk ? static_cast<int>(packets) * ms : 0 * ms);
-      if (!dead && !loses(*one)) air_.push_back({drained_ + 2 * ms, *one, number});
+      if (dead || dead_paths[one->path] || loses(*one)) continue;
+      air_[one->path].push_back({drained_ + delays[one->path], *one, number});
     }
     if (sender.deadline(now) <= now) ADD_FAILURE() << "wants to be called without end";
   }
   void arrive() {
-    while (!air_.empty() && air_.front().arrives <= now) {
-      const auto& [arrives, one, number] = air_.front();
-      const Arrived arrived{one.stream, number, one.sample.origin, one.piece, nullptr};
+    for (auto& air : air_) arrive(air);
+  }
+  void arrive(std::deque<OnAir>& air) {
+    while (!air.empty() && air.front().arrives <= now) {
+      const auto& [arrives, one, number] = air.front();
+      const StreamId wire = one.stream + (one.path == 0 ? 0 : second_wire);
+      const Arrived arrived{wire, number, one.sample.origin, one.piece, nullptr};
       if (receiver.on_piece("vehicle", arrived, now + clock_difference)) {
         give(arrived);
       }
-      air_.pop_front();
+      air.pop_front();
     }
   }
   void give(const Arrived& arrived) {
     const Disposition disposition = receiver.on_arrived("vehicle", arrived, now + clock_difference);
     if (disposition != Disposition::deliver) return;
-    delivered[arrived.stream].push_back(arrived.origin.sequence);
+    delivered[arrived.stream % second_wire].push_back(arrived.origin.sequence);
   }
-  std::map<StreamId, TransmissionNumber> numbers_;
-  std::deque<OnAir> air_;
+  std::map<std::pair<StreamId, PathIndex>, TransmissionNumber> numbers_;
+  std::array<std::deque<OnAir>, most_paths> air_;
   Time drained_{};
 };
 

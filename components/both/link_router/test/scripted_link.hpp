@@ -31,6 +31,7 @@ class ScriptedLink {
     FlowId flow;
     CarriedSample sample;
     SamplePiece piece{};
+    PathIndex path = 0;
   };
   struct Delivered {
     FlowId flow;
@@ -94,13 +95,15 @@ class ScriptedLinkBus final : public LinkBus {
     script_.opened[++last_] = {flow, traffic_class};
     return last_;
   }
-  [[nodiscard]] std::uint32_t wire_id(FlowId flow) const override { return 1000 + flow; }
+  [[nodiscard]] std::uint32_t wire_id(FlowId flow, PathIndex path) const override {
+    return (path + 1U) * 1000 + flow;
+  }
   void close(FlowId flow) override { script_.opened[flow].closed = true; }
   [[nodiscard]] std::optional<std::uint64_t> send(FlowId flow, const CarriedSample& sample,
-                                                  SamplePiece piece) override {
+                                                  SamplePiece piece, PathIndex path) override {
     if (!script_.is_up) return std::nullopt;
-    script_.sent.push_back({flow, sample, piece});
-    return ++numbers_[flow];
+    script_.sent.push_back({flow, sample, piece, path});
+    return ++numbers_[{flow, path}];
   }
   [[nodiscard]] std::size_t largest_piece() const override { return 1000; }
   /// A quarter is left of a sample, a tenth with a base.
@@ -174,7 +177,7 @@ class ScriptedLinkBus final : public LinkBus {
  private:
   ScriptedLink& script_;
   FlowId last_ = 0;
-  std::map<FlowId, std::uint64_t> numbers_;
+  std::map<std::pair<FlowId, PathIndex>, std::uint64_t> numbers_;
 };
 
 /// The bus of a host whose router has a scripted link.

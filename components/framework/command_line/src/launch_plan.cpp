@@ -42,27 +42,55 @@ std::vector<ProcessSpec> plan_processes(const deployment::Deployment& deployment
   return specs;
 }
 
-ProcessSpec plan_radio(const deployment::Deployment& deployment,
+namespace {
+
+/// One of two emulated radios.
+struct PlannedRadio {
+  std::string name;  ///< of the process, and of the files in the folder of the run
+  std::string channel;
+  std::string interface;
+  std::vector<std::string> addresses;  ///< of the hosts, in their order
+  std::string wireless;                ///< what a driver tells of it; empty: nothing
+};
+
+ProcessSpec plan_radio(const deployment::Deployment& deployment, const PlannedRadio& radio,
                        const std::vector<int>& descriptors, const Folders& folders) {
-  assert(deployment.radio && descriptors.size() == deployment.hosts.size());
   ProcessSpec spec{
-      "radio", {located("radio", "link_emulator", folders)}, std::nullopt, false, true};
+      radio.name, {located(radio.name, "link_emulator", folders)}, std::nullopt, false, true};
   const auto add = [&](const std::string& option, const std::string& value) {
     spec.command.push_back(option);
     spec.command.push_back(value);
   };
-  add("--channel", deployment.radio->channel);
+  add("--channel", radio.channel);
   add("--walls", deployment.radio->walls);
   add("--seed", std::to_string(deployment.seed));
+  add("--interface", radio.interface);
   for (std::size_t i = 0; i < descriptors.size(); ++i) {
-    const deployment::Host& host = deployment.hosts[i];
-    add("--end", std::string(to_string(host.role)) + ":/proc/self/fd/" +
-                     std::to_string(descriptors[i]) + ":" + host.address + "/24");
+    add("--end", std::string(to_string(deployment.hosts[i].role)) + ":/proc/self/fd/" +
+                     std::to_string(descriptors[i]) + ":" + radio.addresses[i] + "/24");
   }
-  add("--control", deployment.run_dir + "/radio.sock");
-  add("--stats", deployment.run_dir + "/radio.jsonl");
-  add("--wireless", deployment.run_dir + "/wireless");
+  add("--control", deployment.run_dir + "/" + radio.name + ".sock");
+  add("--stats", deployment.run_dir + "/" + radio.name + ".jsonl");
+  if (!radio.wireless.empty()) add("--wireless", deployment.run_dir + "/" + radio.wireless);
   return spec;
+}
+
+}  // namespace
+
+std::vector<ProcessSpec> plan_radios(const deployment::Deployment& deployment,
+                                     const std::vector<int>& descriptors, const Folders& folders) {
+  assert(deployment.radio && descriptors.size() == deployment.hosts.size());
+  PlannedRadio first{"radio", deployment.radio->channel, "wlan0", {}, "wireless"};
+  PlannedRadio second{"second_radio", deployment.radio->second, "wwan0", {}, ""};
+  for (const deployment::Host& host : deployment.hosts) {
+    first.addresses.push_back(host.address);
+    if (host.second) second.addresses.push_back(host.second->address);
+  }
+  std::vector<ProcessSpec> specs{plan_radio(deployment, first, descriptors, folders)};
+  if (!second.channel.empty()) {
+    specs.push_back(plan_radio(deployment, second, descriptors, folders));
+  }
+  return specs;
 }
 
 }  // namespace tocsin

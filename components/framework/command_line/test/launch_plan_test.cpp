@@ -69,15 +69,32 @@ TEST_F(PlanTest, RejectsAProgramThatIsNotFound) {
 }
 
 TEST_F(PlanTest, JoinsTheHostsByTheirRoles) {
-  const ProcessSpec sut = plan_radio(deployment_, {5, 6}, folders_);
+  const auto radios = plan_radios(deployment_, {5, 6}, folders_);
+  ASSERT_EQ(radios.size(), 1U);
+  const ProcessSpec& sut = radios.front();
   EXPECT_EQ(sut.name, "radio");
   EXPECT_FALSE(sut.host);
+  EXPECT_THAT(sut.command,
+              ElementsAre(folder_.path("link_emulator"), "--channel", "/c.yaml", "--walls",
+                          "/w.yaml", "--seed", "7", "--interface", "wlan0", "--end",
+                          "uxv:/proc/self/fd/5:10.77.0.1/24", "--end",
+                          "gcs:/proc/self/fd/6:10.77.0.2/24", "--control", "/run/radio.sock",
+                          "--stats", "/run/radio.jsonl", "--wireless", "/run/wireless"));
+}
+
+TEST_F(PlanTest, ASecondRadioJoinsTheHostsByTheirSecondAddresses) {
+  deployment_.radio->second = "/modem.yaml";
+  deployment_.hosts[0].second = deployment::SecondPath{"10.78.0.1", {"10.78.0.2"}};
+  deployment_.hosts[1].second = deployment::SecondPath{"10.78.0.2", {"10.78.0.1"}};
+  const auto radios = plan_radios(deployment_, {5, 6}, folders_);
+  ASSERT_EQ(radios.size(), 2U);
+  EXPECT_EQ(radios[1].name, "second_radio");
   EXPECT_THAT(
-      sut.command,
-      ElementsAre(folder_.path("link_emulator"), "--channel", "/c.yaml", "--walls", "/w.yaml",
-                  "--seed", "7", "--end", "uxv:/proc/self/fd/5:10.77.0.1/24", "--end",
-                  "gcs:/proc/self/fd/6:10.77.0.2/24", "--control", "/run/radio.sock", "--stats",
-                  "/run/radio.jsonl", "--wireless", "/run/wireless"));
+      radios[1].command,
+      ElementsAre(folder_.path("link_emulator"), "--channel", "/modem.yaml", "--walls", "/w.yaml",
+                  "--seed", "7", "--interface", "wwan0", "--end",
+                  "uxv:/proc/self/fd/5:10.78.0.1/24", "--end", "gcs:/proc/self/fd/6:10.78.0.2/24",
+                  "--control", "/run/second_radio.sock", "--stats", "/run/second_radio.jsonl"));
 }
 
 }  // namespace

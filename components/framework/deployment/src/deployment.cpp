@@ -68,20 +68,50 @@ void check_components(const Deployment& deployment) {
   if (terminals > 1) fail(deployment, "terminal: true in more than one container");
 }
 
+std::string network_of(const std::string& address) { return address.substr(0, address.rfind('.')); }
+
+/// Of two hosts that name each other as peers both have a second path, or neither.
+void check_second_paths(const Deployment& deployment) {
+  for (const Host& host : deployment.hosts) {
+    for (std::size_t i = 0; host.second && i < host.peers.size(); ++i) {
+      const auto peer = std::find_if(deployment.hosts.begin(), deployment.hosts.end(),
+                                     [&](const Host& one) { return one.address == host.peers[i]; });
+      const std::string& by_second = host.second->peers[i];
+      if (peer == deployment.hosts.end()) continue;
+      if (peer->second && peer->second->address == by_second) continue;
+      fail(deployment, "hosts." + host.name + ".second.peers: '" + by_second +
+                           "' is not the second address of host " + peer->name + ", which " +
+                           (peer->second ? "is " + peer->second->address : "has none"));
+    }
+  }
+}
+
+void check_second_radio(const Deployment& deployment) {
+  if (deployment.radio->second.empty()) return;
+  for (const Host& host : deployment.hosts) {
+    if (!host.second) {
+      fail(deployment, "radio.second: host " + host.name + " has no `second` with its address");
+    }
+    if (network_of(host.second->address) == network_of(host.address)) {
+      fail(deployment, "hosts." + host.name + ".second.address: '" + host.second->address +
+                           "' must be in another /24 network than " + host.address);
+    }
+  }
+}
+
 void check_radio(const Deployment& deployment) {
+  check_second_paths(deployment);
   if (!deployment.radio) return;
   const auto& hosts = deployment.hosts;
   if (hosts.size() != 2 || hosts[0].role == hosts[1].role) {
     fail(deployment, "radio: needs two hosts, one with role uxv and one with role gcs");
   }
-  const auto network = [](const std::string& address) {
-    return address.substr(0, address.rfind('.'));
-  };
   if (hosts[0].address == hosts[1].address ||
-      network(hosts[0].address) != network(hosts[1].address)) {
+      network_of(hosts[0].address) != network_of(hosts[1].address)) {
     fail(deployment, "radio: the hosts' addresses " + hosts[0].address + " and " +
                          hosts[1].address + " must be different addresses of one /24 network");
   }
+  check_second_radio(deployment);
 }
 
 /// "host/process/component" of every component.

@@ -85,11 +85,31 @@ Container read_container(const YAML::Node& node, const std::string& owner,
   return container;
 }
 
+std::optional<SecondPath> read_second(const Section& of_host, const Host& host,
+                                      const YamlSources& sources) {
+  const YAML::Node node = of_host.find("second");
+  if (!node.IsDefined() || node.IsNull()) return std::nullopt;
+  const Section section(node, "hosts." + host.name + ".second", sources, {"address", "peers"});
+  SecondPath second{section.required_text("address"), section.texts("peers")};
+  check_address(second.address, "address", section);
+  for (const std::string& peer : second.peers) check_address(peer, "peers", section);
+  if (second.peers.size() != host.peers.size()) {
+    section.fail("peers", std::to_string(second.peers.size()) +
+                              " addresses must be as many as the host's peers, which are " +
+                              std::to_string(host.peers.size()) + ", in the same order");
+  }
+  if (second.address == host.address) {
+    section.fail("address", "'" + second.address + "' must not be the host's address, too");
+  }
+  return second;
+}
+
 Host read_host(const std::string& name, const YAML::Node& node, const YamlSources& sources) {
   check_name(name, "hosts", node, sources);
   const std::string owner = "hosts." + name;
-  const Section section(node, owner, sources,
-                        {"role", "address", "peers", "enclave", "programs", "containers"});
+  const Section section(
+      node, owner, sources,
+      {"role", "address", "peers", "second", "enclave", "programs", "containers"});
   Host host;
   host.name = name;
   const std::string role = section.required_text("role");
@@ -99,6 +119,7 @@ Host read_host(const std::string& name, const YAML::Node& node, const YamlSource
   check_address(host.address, "address", section);
   host.peers = section.texts("peers");
   for (const std::string& peer : host.peers) check_address(peer, "peers", section);
+  host.second = read_second(section, host, sources);
   host.enclave = section.text("enclave", name);
   for (const YAML::Node& item : section.items("programs")) {
     host.programs.push_back(read_program(item, owner + ".programs", sources));
@@ -120,8 +141,9 @@ RestartPolicy read_restart(const YAML::Node& node, const YamlSources& sources) {
 
 std::optional<Radio> read_radio(const YAML::Node& node, const YamlSources& sources, Named named) {
   if (!node.IsDefined() || node.IsNull()) return std::nullopt;
-  const Section section(node, "radio", sources, {"channel", "walls"});
-  Radio radio{section.file("channel", named), section.file("walls", named)};
+  const Section section(node, "radio", sources, {"channel", "walls", "second"});
+  Radio radio{section.file("channel", named), section.file("walls", named),
+              section.file("second", named)};
   if (radio.channel.empty()) section.fail("channel", "is missing");
   if (radio.walls.empty()) section.fail("walls", "is missing");
   return radio;

@@ -91,6 +91,12 @@ void write(YAML::Emitter& out, const Host& host, const YamlSources& sources) {
   pair(out, "role", to_string(host.role));
   text(out, "address", host.address);
   texts(out, "peers", host.peers);
+  if (host.second) {
+    out << YAML::Key << "second" << YAML::Value << BeginMap;
+    text(out, "address", host.second->address);
+    texts(out, "peers", host.second->peers);
+    out << EndMap;
+  }
   text(out, "enclave", host.enclave);
   out << YAML::Key << "programs" << YAML::Value << BeginSeq;
   for (const Program& program : host.programs) write(out, program);
@@ -103,6 +109,7 @@ void write(YAML::Emitter& out, const Radio& radio) {
   out << YAML::Key << "radio" << YAML::Value << BeginMap;
   text(out, "channel", radio.channel);
   text(out, "walls", radio.walls);
+  if (!radio.second.empty()) text(out, "second", radio.second);
   out << EndMap;
 }
 

@@ -42,9 +42,9 @@ std::string proc_text(const radio::LinkReport& report) {
 }  // namespace
 
 RadioLink::RadioLink(Core& core, const radio::ChannelParams& params,
-                     std::vector<geometry::Wall> walls, std::uint64_t seed)
+                     std::vector<geometry::Wall> walls, std::uint64_t seed, Reports reports)
     : core_(core), channel_(params, std::move(walls), seed, core.now), random_(seed) {
-  report();
+  if (reports == Reports::yes) report();
 }
 
 void RadioLink::move_access_point(double by_x_m) {

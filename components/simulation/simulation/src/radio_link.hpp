@@ -51,8 +51,9 @@ class Cargo {
 /// Carries packets between the vehicle and the ground station: one radio_channel for all.
 class RadioLink {
  public:
+  enum class Reports { yes, no };  ///< whether a driver and the core's observer are told of it
   RadioLink(Core& core, const radio::ChannelParams& params, std::vector<geometry::Wall> walls,
-            std::uint64_t seed);
+            std::uint64_t seed, Reports reports = Reports::yes);
 
   /// Sends an IP packet of `cargo`, which is told when and if it comes to the other side.
   void send(const Way& way, std::size_t ip_bytes, std::shared_ptr<Cargo> cargo, std::size_t packet);

@@ -42,6 +42,7 @@ struct Network {
   Core& core;
   RadioLink& link;
   QosProfiles qos;
+  RadioLink* second_link = nullptr;                 ///< null: there is one path
   std::map<std::string, SimLinkBus*> routers = {};  ///< that live, by the name of their host
   PeerId router_lives = 0;
   /// What the logs of routers hold instead of encoded samples, by number: outlives their routers.

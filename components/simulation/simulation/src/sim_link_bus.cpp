@@ -100,8 +100,11 @@ void SimLinkBus::tell_observer(GateEvent event) const {
 
 void SimLinkBus::announce() {
   if (!peers_.empty() && !process_.is_frozen()) {
-    network_.link.send({host_.direction(), network_control_dscp}, announcement_bytes, [] {});
-    packets_.add_discovery(announcement_bytes);
+    for (PathIndex path = 0; path < paths(); ++path) {
+      radio(path).send({host_.direction(), network_control_dscp}, announcement_bytes, [] {});
+      packets_.add_discovery(announcement_bytes);
+      note_bytes(path, announcement_bytes);
+    }
   }
   network_.core.events.at(network_.core.now + announcement_period,
                           [&network = network_, own = life_] {
@@ -152,11 +155,18 @@ void SimLinkBus::learn(SimLinkBus& peer, FlowId flow) {
   if (found == peer.sending_.end() || peer_flows_.count({peer.life_, flow}) != 0) return;
   const std::string& topic = found->second.flow.topic;
   if (!rules().takes(topic) && !is_of_routers(rules(), topic)) return;
-  const FlowId id = ++last_flow_;
-  peer_flows_[{peer.life_, flow}] = id;
-  known_[id] = found->second.flow;
-  push(link_event::PeerFlow{id, peer.life_, flow, found->second.flow});
+  for (PathIndex path = 0; path < paths(); ++path) learn(peer, flow, path);
   tell_reading(peer.life_, flow, topic);
+}
+
+void SimLinkBus::learn(SimLinkBus& peer, FlowId flow, PathIndex path) {
+  const FlowId wire = wire_of(flow, path);
+  const FlowId id = ++last_flow_;
+  Flow what = peer.sending_.at(flow).flow;
+  what.path = path;
+  peer_flows_[{peer.life_, wire}] = id;
+  known_[id] = what;
+  push(link_event::PeerFlow{id, peer.life_, wire, what});
 }
 
 void SimLinkBus::tell_reading(PeerId peer, FlowId flow, const std::string& topic) {
@@ -176,7 +186,8 @@ void SimLinkBus::tell_reading(PeerId peer, FlowId flow, const std::string& topic
 void SimLinkBus::on_readers(const std::string& topic) {
   if (!rules().takes_on_demand(topic)) return;
   for (const auto& [from, id] : peer_flows_) {
-    if (known_.at(id).topic == topic) tell_reading(from.first, from.second, topic);
+    const Flow& flow = known_.at(id);
+    if (flow.topic == topic && flow.path == 0) tell_reading(from.first, from.second, topic);
   }
 }
 
@@ -193,7 +204,7 @@ void SimLinkBus::want(FlowId host_flow, bool wanted) {
 
 FlowId SimLinkBus::open(const Flow& flow, TrafficClass traffic_class) {
   const FlowId id = ++last_flow_;
-  sending_[id] = {flow, traffic_class, purpose_of(flow.topic), 0};
+  sending_[id] = {flow, traffic_class, purpose_of(flow.topic), {}};
   for (const auto& peer : peers_) {
     network_.core.events.at(network_.core.now + meeting_takes,
                             [&network = network_, own = life_, other = peer.second, id] {
@@ -210,13 +221,21 @@ void SimLinkBus::close(FlowId flow) {
   for (const auto& peer : peers_) {
     SimLinkBus* const other = network_.find_router(peer.second);
     if (other == nullptr) continue;
-    const auto found = other->peer_flows_.find({life_, flow});
-    if (found == other->peer_flows_.end()) continue;
-    other->known_.erase(found->second);
-    other->read_.erase(found->first);
-    other->push(link_event::PeerFlowGone{found->second});
-    other->peer_flows_.erase(found);
+    for (PathIndex path = 0; path < paths(); ++path) other->unlearn(life_, wire_of(flow, path));
   }
+}
+
+void SimLinkBus::unlearn(PeerId peer, FlowId wire) {
+  const auto found = peer_flows_.find({peer, wire});
+  if (found == peer_flows_.end()) return;
+  known_.erase(found->second);
+  read_.erase(found->first);
+  push(link_event::PeerFlowGone{found->second});
+  peer_flows_.erase(found);
+}
+
+void SimLinkBus::note_bytes(PathIndex path, std::size_t bytes) {
+  if (path != 0) packets_.second_bytes += bytes;
 }
 
 std::vector<std::size_t> SimLinkBus::packets_of(const Sending& sending, const CarriedSample& sample,
@@ -227,11 +246,11 @@ std::vector<std::size_t> SimLinkBus::packets_of(const Sending& sending, const Ca
 }
 
 std::optional<std::uint64_t> SimLinkBus::send(FlowId flow, const CarriedSample& sample,
-                                              SamplePiece piece) {
+                                              SamplePiece piece, PathIndex path) {
   const auto found = sending_.find(flow);
   if (found == sending_.end()) return std::nullopt;
   Sending& sending = found->second;
-  const std::uint64_t number = ++sending.last;
+  const std::uint64_t number = ++sending.last[path];
   const Freight& cargo = freight(sample);
   const std::size_t bytes_sent = piece.size(sample.bytes);
   if (network_.core.observer != nullptr && cargo.from != nullptr) {
@@ -241,16 +260,17 @@ std::optional<std::uint64_t> SimLinkBus::send(FlowId flow, const CarriedSample& 
   const auto packets = packets_of(sending, sample, piece);
   const std::uint8_t dscp = host_.rules().dscp(sending.traffic_class);
   const auto stop = packets.size() == 1 ? rider() : nullptr;
-  if (stop) stop_sent_ = network_.core.now;
-  const Overheard what{life_, flow, number, sample, piece, stop};
+  if (stop) stop_sent_[path] = network_.core.now;
+  const Overheard what{life_, wire_of(flow, path), number, sample, piece, stop};
   if (network_.on_air) network_.on_air(what);
   for (const auto& peer : peers_) {
     const auto transmission =
         std::make_shared<Transmission>(network_, what, peer.second, packets.size());
     for (std::size_t i = 0; i < packets.size(); ++i) {
       const std::size_t riding = stop ? stop_bytes(*stop) : 0;
-      network_.link.send({host_.direction(), dscp}, packets[i] + riding, transmission, i);
+      radio(path).send({host_.direction(), dscp}, packets[i] + riding, transmission, i);
       packets_.add(sending.traffic_class, sending.purpose, packets[i]);
+      note_bytes(path, packets[i] + riding);
       if (stop) packets_.add_stop(riding, false);
     }
   }

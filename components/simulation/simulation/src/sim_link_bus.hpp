@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -43,10 +44,15 @@ class SimLinkBus final : public LinkBus {
   [[nodiscard]] PeerId self() const override { return life_; }
   void want(FlowId host_flow, bool wanted) override;
   FlowId open(const Flow& flow, TrafficClass traffic_class) override;
-  [[nodiscard]] std::uint32_t wire_id(FlowId flow) const override { return flow; }
+  [[nodiscard]] std::size_t paths() const override {
+    return network_.second_link != nullptr ? 2 : 1;
+  }
+  [[nodiscard]] std::uint32_t wire_id(FlowId flow, PathIndex path) const override {
+    return wire_of(flow, path);
+  }
   void close(FlowId flow) override;
   [[nodiscard]] std::optional<std::uint64_t> send(FlowId flow, const CarriedSample& sample,
-                                                  SamplePiece piece) override;
+                                                  SamplePiece piece, PathIndex path) override;
   [[nodiscard]] std::size_t largest_piece() const override { return router::largest_piece; }
   /// A piece is the whole sample, which counts when all are there.
   [[nodiscard]] CarriedSample join(
@@ -91,7 +97,7 @@ class SimLinkBus final : public LinkBus {
     Flow flow;
     TrafficClass traffic_class = TrafficClass::low;
     LinkPurpose purpose = LinkPurpose::samples;
-    std::uint64_t last = 0;
+    std::array<std::uint64_t, most_paths> last{};
   };
   struct HostFlow {
     FlowId id;
@@ -102,8 +108,20 @@ class SimLinkBus final : public LinkBus {
                                                            SamplePiece piece);
   /// What rides in a packet with room; null when nothing fresh was said.
   [[nodiscard]] std::shared_ptr<const StopValue> rider() const;
+  /// By which peers know a flow on a path.
+  [[nodiscard]] static FlowId wire_of(FlowId flow, PathIndex path) {
+    constexpr FlowId second = 1U << 31U;
+    return path == 0 ? flow : flow | second;
+  }
+  [[nodiscard]] RadioLink& radio(PathIndex path) const {
+    return path == 0 ? network_.link : *network_.second_link;
+  }
+  void learn(SimLinkBus& peer, FlowId flow, PathIndex path);
+  void unlearn(PeerId peer, FlowId wire);
+  void note_bytes(PathIndex path, std::size_t bytes);
   /// Sends the stop's value alone, unless it rode in a packet since `period`.
   void send_stop(Duration period);
+  void send_stop(PathIndex path, const std::shared_ptr<const StopValue>& stop);
   void repeat_stop();
   void push(LinkEvent event);
   void tell_observer(GateEvent event) const;
@@ -135,7 +153,7 @@ class SimLinkBus final : public LinkBus {
   SampleCodec codec_;
   std::shared_ptr<const StopValue> stop_;  ///< as it was said last
   Time stop_said_{};
-  Time stop_sent_{};
+  std::array<Time, most_paths> stop_sent_{};
   StopNews stop_news_;
   std::map<PeerId, std::uint64_t> stop_numbers_;  ///< last received
 };

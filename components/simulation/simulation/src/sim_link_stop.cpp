@@ -45,19 +45,26 @@ void SimLinkBus::say_stop(const StopValue& value) {
 
 void SimLinkBus::send_stop(Duration period) {
   const auto stop = rider();
-  if (!stop || process_.is_frozen() || network_.core.now - stop_sent_ < period) return;
+  if (!stop || process_.is_frozen()) return;
+  for (PathIndex path = 0; path < paths(); ++path) {
+    if (network_.core.now - stop_sent_[path] >= period) send_stop(path, stop);
+  }
+}
+
+void SimLinkBus::send_stop(PathIndex path, const std::shared_ptr<const StopValue>& stop) {
   if (network_.on_air) network_.on_air({life_, 0, 0, {}, {}, stop});
   const std::size_t bytes = ip_udp_rtps_bytes + stop_bytes(*stop);
   for (const auto& entry : network_.routers) {
     if (entry.second == this) continue;
-    network_.link.send({host_.direction(), stop_dscp}, bytes,
-                       [&network = network_, own = life_, other = entry.second->life_, stop] {
-                         SimLinkBus* const to = network.find_router(other);
-                         if (to != nullptr) to->on_packet(own, stop);
-                       });
+    radio(path).send({host_.direction(), stop_dscp}, bytes,
+                     [&network = network_, own = life_, other = entry.second->life_, stop] {
+                       SimLinkBus* const to = network.find_router(other);
+                       if (to != nullptr) to->on_packet(own, stop);
+                     });
     packets_.add_stop(bytes, true);
+    note_bytes(path, bytes);
   }
-  stop_sent_ = network_.core.now;
+  stop_sent_[path] = network_.core.now;
 }
 
 void SimLinkBus::repeat_stop() {

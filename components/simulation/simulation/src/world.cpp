@@ -61,6 +61,7 @@ World::World(deployment::Deployment deployment, const WorldOptions& options)
       link_(core, channel_of(deployment_), walls_of(deployment_),
             static_cast<std::uint64_t>(deployment_.seed)),
       network_{core, link_, qos_of(deployment_)} {
+  add_second_link();
   const LogClock::Use use(log_clock);
   if (core.observer != nullptr) {
     scheduler_.set_on_failure([this](const std::string& component, const char* what, Time now) {
@@ -69,6 +70,13 @@ World::World(deployment::Deployment deployment, const WorldOptions& options)
   }
   for (const deployment::Host& host : deployment_.hosts) add(host);
   plan_faults();
+}
+
+void World::add_second_link() {
+  if (!deployment_.radio || deployment_.radio->second.empty()) return;
+  second_link_.emplace(core, radio::load_channel(deployment_.radio->second), walls_of(deployment_),
+                       static_cast<std::uint64_t>(deployment_.seed), RadioLink::Reports::no);
+  network_.second_link = &*second_link_;
 }
 
 World::~World() {
@@ -172,6 +180,7 @@ void World::tell(const Process& process, ProcessEvent event) const {
 void World::feed_position(const std::string& host, const SimBase& base) {
   const geometry::Pose& pose = base.model().pose();
   link_.set_position(pose.x_m, pose.y_m);
+  if (second_link_) second_link_->set_position(pose.x_m, pose.y_m);
   if (core.observer != nullptr) {
     const geometry::Twist& velocity = base.model().velocity();
     core.observer->on_position({host, core.now, pose.x_m, pose.y_m, pose.heading_rad,
@@ -186,6 +195,8 @@ Time World::next() {
   for (const Side& side : sides_) {
     for (const SimBase& base : side.bases) off_air_ = std::min(off_air_, base.next_event());
   }
+  // The first link may run ahead of the others to where its next packet arrives, not of the second.
+  if (second_link_) off_air_ = std::min(off_air_, second_link_->next_event());
   return std::max(link_.next_arrival(off_air_), core.now);
 }
 
@@ -198,6 +209,7 @@ void World::step(Time now) {
     }
   }
   link_.advance();
+  if (second_link_) second_link_->advance();
   if (scheduler_.next() <= now) scheduler_.run(now);
   if (core.observer != nullptr) core.observer->on_step(now);
 }

@@ -67,6 +67,7 @@ class World {
   Instance& add_instance(const std::string& name, Process& process);
   void schedule(Instance& instance, const Process& process);
   void exit(Process& process, int code);
+  void add_second_link();
   void feed_position(const std::string& host, const SimBase& base);
   void tell(const Process& process, ProcessEvent event) const;
 
@@ -99,6 +100,7 @@ class World {
   deployment::Deployment deployment_;
   WorldOptions options_;
   RadioLink link_;
+  std::optional<RadioLink> second_link_;
   Network network_;
   Scheduler scheduler_;
   std::list<Side> sides_;

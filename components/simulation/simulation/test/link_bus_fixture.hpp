@@ -90,12 +90,12 @@ class PlainRouter {
   void on(const link_event::HostSample& one) {
     const FlowId flow = opened[one.flow];
     if (states_.count(flow) != 0) states_[flow] = one.sample;
-    numbers.push_back(bus.send(flow, one.sample, {}).value_or(0));
+    numbers.push_back(bus.send(flow, one.sample, {}, 0).value_or(0));
   }
   void on(const link_event::PeerReaderMatched& one) {
     const auto state = states_.find(one.flow);
     if (state != states_.end() && state->second.content)
-      (void)bus.send(one.flow, state->second, {});
+      (void)bus.send(one.flow, state->second, {}, 0);
   }
   void on(const link_event::PeerReaderGone&) {}
   void on(const link_event::PeerFlow& flow) { bus.offer(flow.flow); }

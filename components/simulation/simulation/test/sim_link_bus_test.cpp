@@ -274,7 +274,7 @@ TEST_F(LinkBusTest, NothingOfAClosedFlowIsSentOrGiven) {
   EXPECT_EQ(down().count<PeerFlowGone>(), 1U);
   EXPECT_TRUE(away.samples.empty());
   for (const FlowId gone : {flow, FlowId{999}}) {
-    EXPECT_EQ(up().bus.send(gone, up().got<HostSample>()[0].sample, {}), std::nullopt);
+    EXPECT_EQ(up().bus.send(gone, up().got<HostSample>()[0].sample, {}, 0), std::nullopt);
   }
 }
 

@@ -98,7 +98,7 @@ TEST_F(LinkBusTest, ASampleThatIsSentAgainIsGivenOnce) {
   (void)writer->write(message<topic::Location>());
   run_for(1);
   const FlowId flow = up().opened.begin()->second;
-  EXPECT_EQ(up().bus.send(flow, up().got<HostSample>()[0].sample, {}), 2U);
+  EXPECT_EQ(up().bus.send(flow, up().got<HostSample>()[0].sample, {}, 0), 2U);
   run_for(1);
   EXPECT_EQ(down().count<LinkSample>(), 2U);
   EXPECT_EQ(away.samples.size(), 1U);

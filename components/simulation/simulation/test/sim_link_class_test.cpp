@@ -162,7 +162,7 @@ TEST_F(LinkBusTest, ObserversSeeEachTransmissionAndOneDelivery) {
   (void)writer->write(message<topic::Location>());
   run_for(1);
   const CarriedSample again = up().got<link_event::HostSample>()[0].sample;
-  EXPECT_EQ(up().bus.send(up().opened.begin()->second, again, {}), 2U);
+  EXPECT_EQ(up().bus.send(up().opened.begin()->second, again, {}, 0), 2U);
   run_for(1);
   ASSERT_EQ(watch.sent.size(), 2U);
   EXPECT_EQ(watch.sent[1].sequence, 2U);
@@ -178,7 +178,7 @@ TEST_F(LinkBusTest, ObserversSeeTheGateOfARouterAndItsEndAndNotWhatItTellsAnothe
   up().bus.on_gate(false);
   up().bus.on_gate(true);
   const auto told = up().bus.pack(type_info<topic::Goal::Message>(), message<topic::Goal>());
-  EXPECT_EQ(up().bus.send(up().bus.open({}, TrafficClass::critical), told, {}), 1U);
+  EXPECT_EQ(up().bus.send(up().bus.open({}, TrafficClass::critical), told, {}, 0), 1U);
   kill_router(uxv_);
   EXPECT_TRUE(watch.sent.empty());
   EXPECT_EQ(watch.gates,

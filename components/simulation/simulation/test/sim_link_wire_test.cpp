@@ -64,7 +64,7 @@ TEST_F(LinkWireTest, EachPieceOfASampleIsAPacketWithAHeaderMore) {
   CarriedSample sample = up().bus.pack(type_info<topic::CameraImage::Message>(), picture(20000));
   const LinkPackets before = up().bus.packets();
   const SamplePiece piece{3, 20};
-  ASSERT_TRUE(up().bus.send(flow, sample, piece));
+  ASSERT_TRUE(up().bus.send(flow, sample, piece, 0));
   const LinkPackets after = up().bus.packets();
   EXPECT_EQ(after.packets - before.packets, 1U);
   EXPECT_EQ(after.bytes - before.bytes, around_sample + padded(piece.size(sample.bytes) + 4));
@@ -158,7 +158,7 @@ TEST_F(LinkWireTest, AMessageBetweenRoutersIsUnpackedAsItWasPacked) {
   between.topic = link_acknowledgement_topic;
   const FlowId flow = up().bus.open(between, TrafficClass::critical);
   run_for(0.2);
-  EXPECT_EQ(up().bus.send(flow, sample, {}), 1U);
+  EXPECT_EQ(up().bus.send(flow, sample, {}, 0), 1U);
   core_.now += seconds(0.01);
   link_.advance();
   const auto event = down().bus.take();

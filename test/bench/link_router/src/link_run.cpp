@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 
 #include "router_radio.hpp"
@@ -56,10 +57,15 @@ class LinkRun {
       : traffic_(traffic),
         steps_(steps),
         channel_(channel_of(traffic, steps), traffic.walls, seed, traffic.begin),
-        routers_(channel_, {steps.params, steps.dscp}, traffic.begin),
+        second_(second_of(traffic, steps, seed)),
+        routers_(channel_, {steps.params, steps.dscp, second_.get()}, traffic.begin),
         written_(traffic.sources.size()) {
     for (std::size_t i = 0; i < traffic.sources.size(); ++i) add_source(i);
     next_age_ = traffic.begin + warm_up;
+  }
+
+  [[nodiscard]] std::vector<bool> critical_misses() const {
+    return collect(TrafficClass::critical, false).missed;
   }
 
   Figures run() {
@@ -77,9 +83,15 @@ class LinkRun {
 
  private:
   static radio::ChannelParams channel_of(const MissionTraffic& traffic, const Steps& steps) {
-    radio::ChannelParams params = traffic.channel;
+    radio::ChannelParams params = steps.first.value_or(traffic.channel);
     params.access_categories = steps.categories;
     return params;
+  }
+
+  static std::unique_ptr<radio::RadioChannel> second_of(const MissionTraffic& traffic,
+                                                        const Steps& steps, std::uint64_t seed) {
+    if (!steps.second) return nullptr;
+    return std::make_unique<radio::RadioChannel>(*steps.second, traffic.walls, seed, traffic.begin);
   }
 
   void add_source(std::size_t i) {
@@ -87,6 +99,7 @@ class LinkRun {
     router::StreamRule rule = source.rule;
     rule.repaired = rule.repaired && steps_.repair;
     rule.durable = rule.durable && steps_.repair;
+    if (policy_of(rule.traffic_class).repaired) rule.paths = steps_.urgent;
     routers_.add_stream(side_of(source.direction), static_cast<router::StreamId>(i), rule,
                         traffic_.begin);
   }
@@ -103,6 +116,7 @@ class LinkRun {
   void play_due(Time now) {
     for (; place_ < traffic_.places.size() && traffic_.places[place_].time <= now; ++place_) {
       channel_.set_position(traffic_.places[place_].x_m, traffic_.places[place_].y_m);
+      if (second_) second_->set_position(traffic_.places[place_].x_m, traffic_.places[place_].y_m);
     }
     for (; gate_ < traffic_.gates.size() && traffic_.gates[gate_].time <= now; ++gate_) {
       if (steps_.pause) routers_.sender(0).set_paused(!traffic_.gates[gate_].open, now);
@@ -150,6 +164,7 @@ class LinkRun {
     double written = 0;
     double late = 0;
     double lost = 0;
+    std::vector<bool> missed;
   };
 
   [[nodiscard]] Class collect(TrafficClass traffic_class, bool adaptive_only) const {
@@ -163,6 +178,7 @@ class LinkRun {
       for (const Written& one : written_[i]) {
         if (one.time < traffic_.begin + warm_up || one.time + late_after > traffic_.end) continue;
         ++of.written;
+        of.missed.push_back(!one.delivered || one.latency > late_after);
         if (!one.delivered) ++of.lost;
         if (!one.delivered || one.latency > late_after) ++of.late;
         if (one.delivered) of.latencies_ms.push_back(1e3 * to_seconds(one.latency));
@@ -197,7 +213,20 @@ class LinkRun {
     f.acknowledgements_per_s = routers_.acknowledgements() / length_s;
     f.acknowledgement_bytes_per_s = routers_.acknowledgement_bytes() / length_s;
     f.repairs_per_s = routers_.repairs() / length_s;
+    f.critical_kb_per_s = critical_bytes() / length_s / 1e3;
     return f;
+  }
+
+  [[nodiscard]] double critical_bytes() const {
+    double sum = 0;
+    for (std::size_t i = 0; i < traffic_.sources.size(); ++i) {
+      const TrafficSource& source = traffic_.sources[i];
+      if (source.direction != radio::Direction::uplink ||
+          source.rule.traffic_class != TrafficClass::critical)
+        continue;
+      sum += static_cast<double>(routers_.bytes_of(static_cast<router::StreamId>(i)));
+    }
+    return sum;
   }
 
   [[nodiscard]] double mean_picture_kb() const {
@@ -217,6 +246,7 @@ class LinkRun {
   const MissionTraffic& traffic_;
   const Steps& steps_;
   radio::RadioChannel channel_;
+  std::unique_ptr<radio::RadioChannel> second_;  ///< null: there is one path
   RouterRadio routers_;
   std::vector<std::vector<Written>> written_;  ///< of each source
   AdaptiveSource camera_;
@@ -233,6 +263,13 @@ class LinkRun {
 
 Figures run_link(const MissionTraffic& traffic, const Steps& steps, std::uint64_t seed) {
   return LinkRun(traffic, steps, seed).run();
+}
+
+std::vector<bool> critical_misses(const MissionTraffic& traffic, const Steps& steps,
+                                  std::uint64_t seed) {
+  LinkRun one(traffic, steps, seed);
+  (void)one.run();
+  return one.critical_misses();
 }
 
 }  // namespace tocsin::bench

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <vector>
 
+#include "foundation/link_path.hpp"
 #include "foundation/traffic_class.hpp"
 #include "link_router/link_router_params.hpp"
 #include "mission_traffic.hpp"
@@ -20,6 +23,9 @@ struct Steps {
   DscpOfClass dscp;
   bool pause = false;  ///< the gates of the recorded policy
   router::LinkRouterParams params;
+  std::optional<radio::ChannelParams> first;   ///< in place of the mission's channel
+  std::optional<radio::ChannelParams> second;  ///< of a second path; none: there is one
+  PathUse urgent = PathUse::repair;            ///< of classes critical and high
 };
 
 /// What users feel of one run; of the vehicle's samples, after the first 12 s.
@@ -41,13 +47,18 @@ struct Figures {
   double acknowledgements_per_s = 0;       ///< of both sides
   double acknowledgement_bytes_per_s = 0;  ///< with all headers
   double repairs_per_s = 0;
-  double unreachable = 0;   ///< [%] of the time: nothing written then can be there in 250 ms
-  double least_p99_ms = 0;  ///< what is written then can be there after so long in 99 %
+  double critical_kb_per_s = 0;  ///< with all headers, of the vehicle's
+  double unreachable = 0;        ///< [%] of the time: nothing written then can be there in 250 ms
+  double least_p99_ms = 0;       ///< what is written then can be there after so long in 99 %
 };
 
 /// Sends the traffic of the mission over the radio with a router on each side.
 [[nodiscard]] Figures run_link(const MissionTraffic& traffic, const Steps& steps,
                                std::uint64_t seed);
+
+/// Of each critical sample of the vehicle that counts, in their order, whether it is late or lost.
+[[nodiscard]] std::vector<bool> critical_misses(const MissionTraffic& traffic, const Steps& steps,
+                                                std::uint64_t seed);
 
 /// Figures::unreachable and ::least_p99_ms, which nobody could better: something arrives at the
 /// first arrival of a packet of 100 bytes that is sent then or later, one each 5 ms, alone on the

@@ -14,7 +14,6 @@
 #include "simulation/sim_world.hpp"
 
 namespace tocsin::bench {
-namespace {
 
 namespace fs = std::filesystem;
 
@@ -23,6 +22,8 @@ std::string share() {
                        "../../bringup/share/tocsin")
       .string();
 }
+
+namespace {
 
 router::StreamRule rule_of(const simulation::TopicEnd& end) {
   router::StreamRule rule;

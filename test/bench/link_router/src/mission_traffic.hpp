@@ -55,6 +55,9 @@ struct Mission {
   double duration_s = 600;  ///< it ends sooner when its last goal is reached
 };
 
+/// The installed folder share/tocsin, absolute.
+[[nodiscard]] std::string share();
+
 /// Plays it in simulated time, with the policy's parameters as fitted. Throws ConfigError.
 [[nodiscard]] MissionTraffic record_mission(const Mission& mission);
 

@@ -17,6 +17,16 @@ constexpr std::size_t echo_bytes = 92;
 constexpr std::size_t empty_acknowledgement_bytes = 28;
 constexpr std::size_t stream_acknowledgement_bytes = 18;
 
+/// What the receiver knows a stream by on a path, and back.
+constexpr router::StreamId second_path = 1U << 20U;
+router::StreamId wire_of(router::StreamId stream, PathIndex path) {
+  return path == 0 ? stream : stream + second_path;
+}
+router::LinkAcknowledgement by_stream(router::LinkAcknowledgement acknowledgement) {
+  for (router::StreamAcknowledgement& one : acknowledgement.streams) one.stream %= second_path;
+  return acknowledgement;
+}
+
 }  // namespace
 
 radio::ChannelParams lossy_channel(double loss, double delay_s) {
@@ -36,12 +46,14 @@ router::StreamRule stream_rule(const char* name, TrafficClass traffic_class) {
 }
 
 RouterRadio::RouterRadio(radio::RadioChannel& channel, const Setup& setup, Time start)
-    : channel_(channel), dscp_(setup.dscp) {
+    : channels_{&channel}, dscp_(setup.dscp) {
+  if (setup.second != nullptr) channels_.push_back(setup.second);
   for (std::size_t side = 0; side < 2; ++side) {
     senders_[side] = std::make_unique<router::LinkSender>(setup.params);
     receivers_[side] = std::make_unique<router::LinkReceiver>();
     senders_[side]->on_peer(peer, 2 - side, start);
     receivers_[side]->on_peer(peer, 2 - side);
+    if (setup.second != nullptr) senders_[side]->add_path();
   }
 }
 
@@ -49,7 +61,9 @@ void RouterRadio::add_stream(std::size_t side, router::StreamId stream,
                              const router::StreamRule& rule, Time now) {
   senders_[side]->add_stream(stream, rule);
   senders_[side]->set_wanted(peer, stream, true, now);
-  receivers_[1 - side]->on_stream(peer, stream, rule);
+  for (PathIndex path = 0; path < channels_.size(); ++path) {
+    receivers_[1 - side]->on_stream(peer, wire_of(stream, path), rule, path);
+  }
   classes_[stream] = rule.traffic_class;
 }
 
@@ -62,7 +76,8 @@ void RouterRadio::send(Cargo cargo, const std::vector<std::size_t>& packets, Tim
   const auto category = radio::access_category_of_dscp(dscp_.of(cargo.traffic_class));
   const auto shared = std::make_shared<Cargo>(std::move(cargo));
   for (const std::size_t bytes : packets) {
-    under_way_[channel_.push(direction, {static_cast<int>(bytes), false, category}, now)] = shared;
+    const radio::Packet packet{static_cast<int>(bytes), false, category};
+    under_way_[shared->path][channels_[shared->path]->push(direction, packet, now)] = shared;
   }
 }
 
@@ -71,32 +86,36 @@ void RouterRadio::send(std::size_t side, const router::Transmission& one, Time n
   if (one.repair) ++repairs_;
   packets_[one.stream] += packets.size();
   bytes_[one.stream] += std::accumulate(packets.begin(), packets.end(), std::size_t{0});
-  const router::TransmissionNumber number = ++numbers_[side][one.stream];
+  const router::TransmissionNumber number = ++numbers_[side][wire_of(one.stream, one.path)];
   senders_[side]->on_written(one, number);
-  send({one, 1 - side, classes_.at(one.stream), packets.size(), number}, packets, now);
+  send({one, 1 - side, classes_.at(one.stream), packets.size(), number, one.path}, packets, now);
 }
 
 void RouterRadio::send(std::size_t side, const router::LinkAcknowledgement& acknowledgement,
-                       Time now) {
+                       PathIndex path, Time now) {
   const std::size_t bytes =
       empty_acknowledgement_bytes + stream_acknowledgement_bytes * acknowledgement.streams.size();
   ++acknowledgements_;
   const std::size_t packet = router::packet_without_origin(bytes);
   acknowledgement_bytes_ += static_cast<double>(packet);
-  send({acknowledgement, 1 - side, TrafficClass::critical, 1}, {packet}, now);
+  send({acknowledgement, 1 - side, TrafficClass::critical, 1, 0, path}, {packet}, now);
 }
 
 void RouterRadio::serve(Time now) {
   for (std::size_t side = 0; side < 2; ++side) {
     while (const auto one = senders_[side]->next(now)) send(side, *one, now);
     while (const auto acknowledgement = receivers_[side]->take_acknowledgement(now)) {
-      send(side, acknowledgement->acknowledgement, now);
+      for (PathIndex path = 0; path < channels_.size(); ++path) {
+        if (!acknowledgement->paths[path]) continue;
+        send(side, by_stream(acknowledgement->acknowledgement), path, now);
+      }
     }
   }
 }
 
 Time RouterRadio::next_event(Time now) const {
-  Time next = channel_.next_event();
+  Time next = never;
+  for (const auto* channel : channels_) next = std::min(next, channel->next_event());
   for (std::size_t side = 0; side < 2; ++side) {
     next = std::min({next, senders_[side]->deadline(now), receivers_[side]->deadline()});
   }
@@ -104,11 +123,16 @@ Time RouterRadio::next_event(Time now) const {
 }
 
 void RouterRadio::advance(Time now, const Deliver& deliver) {
-  channel_.advance(now);
-  while (const auto outcome = channel_.take()) {
-    const auto found = under_way_.find(outcome->id);
+  for (PathIndex path = 0; path < channels_.size(); ++path) advance(path, now, deliver);
+}
+
+void RouterRadio::advance(PathIndex path, Time now, const Deliver& deliver) {
+  radio::RadioChannel& channel = *channels_[path];
+  channel.advance(now);
+  while (const auto outcome = channel.take()) {
+    const auto found = under_way_[path].find(outcome->id);
     const std::shared_ptr<Cargo> cargo = found->second;
-    under_way_.erase(found);
+    under_way_[path].erase(found);
     if (outcome->fate != radio::Fate::delivered || --cargo->missing > 0) continue;
     arrive(*cargo, outcome->at, deliver);
   }
@@ -124,8 +148,12 @@ void RouterRadio::arrive(const Cargo& cargo, Time now, const Deliver& deliver) {
   }
   const auto& one = std::get<router::Transmission>(cargo.what);
   router::LinkReceiver& receiver = *receivers_[cargo.to];
-  const router::Arrived arrived{one.stream, cargo.number, one.sample.origin,
-                                one.piece,  nullptr,      one.sample.coding};
+  const router::Arrived arrived{wire_of(one.stream, one.path),
+                                cargo.number,
+                                one.sample.origin,
+                                one.piece,
+                                nullptr,
+                                one.sample.coding};
   if (!receiver.on_piece(peer, arrived, now) || !usable_(one)) return;
   if (receiver.on_arrived(peer, arrived, now) == router::Disposition::deliver) {
     deliver(cargo.to, one.stream, one.sample.origin, now);

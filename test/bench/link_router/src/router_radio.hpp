@@ -21,8 +21,8 @@ namespace tocsin::bench {
 /// Of a stream that is repaired as its class is.
 [[nodiscard]] router::StreamRule stream_rule(const char* name, TrafficClass traffic_class);
 
-/// Two routers, side 0 of the vehicle and side 1 of the station, with the radio between them. The
-/// sides know each other as "peer".
+/// Two routers, side 0 of the vehicle and side 1 of the station, with the radio between them, or
+/// two. The sides know each other as "peer".
 class RouterRadio {
  public:
   /// A sample that the router of a side gives to its host.
@@ -33,6 +33,7 @@ class RouterRadio {
   struct Setup {
     router::LinkRouterParams params;
     DscpOfClass dscp;
+    radio::RadioChannel* second = nullptr;  ///< of a second path; null: there is one
   };
   RouterRadio(radio::RadioChannel& channel, const Setup& setup, Time start);
 
@@ -74,19 +75,23 @@ class RouterRadio {
     TrafficClass traffic_class = TrafficClass::critical;
     std::size_t missing = 0;  ///< packets
     router::TransmissionNumber number = 0;
+    PathIndex path = 0;
   };
+  void advance(PathIndex path, Time now, const Deliver& deliver);
   void send(Cargo cargo, const std::vector<std::size_t>& packets, Time now);
   void send(std::size_t side, const router::Transmission& one, Time now);
-  void send(std::size_t side, const router::LinkAcknowledgement& acknowledgement, Time now);
+  void send(std::size_t side, const router::LinkAcknowledgement& acknowledgement, PathIndex path,
+            Time now);
   void arrive(const Cargo& cargo, Time now, const Deliver& deliver);
 
-  radio::RadioChannel& channel_;
+  std::vector<radio::RadioChannel*> channels_;  ///< by path
   DscpOfClass dscp_;
   std::array<std::unique_ptr<router::LinkSender>, 2> senders_;
   std::array<std::unique_ptr<router::LinkReceiver>, 2> receivers_;
   std::unordered_map<router::StreamId, TrafficClass> classes_;
+  /// By the stream's number on its path.
   std::array<std::unordered_map<router::StreamId, router::TransmissionNumber>, 2> numbers_;
-  std::unordered_map<radio::FrameId, std::shared_ptr<Cargo>> under_way_;
+  std::array<std::unordered_map<radio::FrameId, std::shared_ptr<Cargo>>, most_paths> under_way_;
   std::unordered_map<router::StreamId, std::size_t> packets_;
   std::unordered_map<router::StreamId, std::size_t> bytes_;
   Usable usable_ = [](const router::Transmission&) { return true; };

@@ -32,6 +32,7 @@ struct SentSample {
   bool is_stored = false;          ///< its fate is published
   std::vector<PeerIndex> missing;  ///< peers that want it and have not acknowledged it
   unsigned transmissions = 0;
+  PathIndex path = 0;      ///< of the last transmission
   unsigned under_way = 0;  ///< transmissions times peers of which nothing is known
   Time first_sent{};
   Time repair_at = never;
@@ -61,6 +62,7 @@ using SentSamplePtr = std::shared_ptr<SentSample>;
 /// What a transmission became for one peer.
 struct Settlement {
   PeerIndex peer = 0;
+  PathIndex path = 0;
   bool received = false;
   WireCost cost;
   std::uint64_t burst = 0;
@@ -74,8 +76,8 @@ struct Settlement {
 
 /// The transmissions of all streams, and which peers have them.
 ///
-/// A transmission is given up for a peer when a later one of its class was received there (the
-/// radio's queues are first in, first out) or when no acknowledgement names it for long; what
+/// A transmission is given up for a peer when a later one of its class and path was received there
+/// (the radio's queues are first in, first out) or when no acknowledgement names it for long; what
 /// mends_with_bulk() also when one that was made after its arrival was due does not name it. An
 /// acknowledgement that names it later still counts. Pure; `now` never decreases.
 class DeliveryLog {
@@ -91,6 +93,7 @@ class DeliveryLog {
   };
   struct Record {
     TransmissionNumber number = 0;
+    PathIndex path = 0;
     Time sent{};
     WireCost cost;            ///< of a piece in a burst, with those before it
     std::uint64_t burst = 0;  ///< 0: it was sent alone
@@ -98,7 +101,7 @@ class DeliveryLog {
     std::vector<Copy> copies;
     std::uint64_t order = 0;  ///< given by add()
   };
-  /// Numbers of a stream rise.
+  /// Numbers of a stream rise, on each path.
   void add(Record record);
   void forget_stream(StreamId stream);
   /// Nothing is expected of it any more.
@@ -109,11 +112,12 @@ class DeliveryLog {
   [[nodiscard]] std::vector<Settlement> give_up_overdue(Time now);
   /// When give_up_overdue() has something; `never` when nothing is under way.
   [[nodiscard]] Time next_overdue() const;
-  /// Whether anything is under way to the peer.
-  [[nodiscard]] bool is_under_way(PeerIndex peer) const;
+  /// Whether anything is under way to the peer by the path.
+  [[nodiscard]] bool is_under_way(PeerIndex peer, PathIndex path) const;
   /// Samples of at least so many packets that the peer has not acknowledged yet; of pieces the last
   /// one counts. One that goes whole does not count, since its loss is not known for long.
-  [[nodiscard]] std::size_t count_under_way(PeerIndex peer, std::size_t packets) const;
+  [[nodiscard]] std::size_t count_under_way(PeerIndex peer, PathIndex path,
+                                            std::size_t packets) const;
 
  private:
   using RecordPtr = std::shared_ptr<Record>;
@@ -141,8 +145,10 @@ class DeliveryLog {
 
   Duration patience_;
   std::uint64_t last_order_ = 0;
-  std::map<StreamId, Records> streams_;
-  std::map<std::pair<StreamId, PeerIndex>, Highest> highest_;
+  /// A stream on a path.
+  using Way = std::pair<StreamId, PathIndex>;
+  std::map<Way, Records> streams_;
+  std::map<std::pair<Way, PeerIndex>, Highest> highest_;
   std::vector<RecordPtr> under_way_;  ///< those with copies that are not settled, by time
 };
 

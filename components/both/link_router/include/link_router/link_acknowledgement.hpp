@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "foundation/link_path.hpp"
 #include "link_router/transmission.hpp"
 
 namespace tocsin::router {
@@ -15,6 +16,7 @@ struct StreamAcknowledgement {
   TransmissionNumber highest = 0;  ///< the highest number received
   Duration age{0};                 ///< [>= 0] since its arrival, when the acknowledgement was made
   std::uint64_t before = 0;        ///< bit i: number highest - 1 - i was received, too
+  PathIndex path = 0;              ///< of which these numbers are
 };
 
 /// What a router has received of one peer. It goes to that peer about ten times a second while

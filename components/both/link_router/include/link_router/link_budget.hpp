@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "link_router/link_router_params.hpp"
-#include "link_router/peer_paths.hpp"
+#include "link_router/linked_peers.hpp"
 #include "link_router/transmission.hpp"
 
 namespace tocsin::router {
@@ -72,7 +72,7 @@ class LinkAdaptation {
   /// A sample of a stream that does not adapt goes on the wire.
   void on_other(const WireCost& cost, Time now) { others_.add(cost.bytes, now); }
   /// Updates the scale, every 50 ms at most.
-  void follow(const PeerPaths& paths, Time now);
+  void follow(const LinkedPeers& peers, Time now);
 
   [[nodiscard]] double scale() const { return scale_.scale(); }
   /// Of each adaptive stream. `holds`: whether its source shall skip.

@@ -34,6 +34,10 @@ inline constexpr Duration repair_lifespan = std::chrono::seconds(5);
 inline constexpr double capacity_start_bytes_per_s = 100'000;
 /// A peer that acknowledges nothing for so long, though something was sent, is silent.
 inline constexpr Duration silent_after = std::chrono::milliseconds(600);
+/// The same of a path, when there is another one that does answer.
+inline constexpr Duration path_silent_after = std::chrono::milliseconds(250);
+/// Of two paths, the one that nothing else goes by gets a small sample so often.
+inline constexpr Duration path_probe_period = std::chrono::seconds(1);
 /// Delays count from the least one of this time: longer than queues stand, shorter than clocks
 /// drift by a millisecond.
 inline constexpr Duration clock_window = std::chrono::seconds(30);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "link_router/link_constants.hpp"
@@ -56,8 +58,16 @@ class LinkEstimator {
   /// A transmission that is lost.
   void on_lost();
 
+  /// [B/s] What waits for the radio waits for this, too, whatever is measured: the use of the path
+  /// is metered. At least 1.
+  void set_limit(double bytes_per_s) { limit_bytes_per_s_ = bytes_per_s; }
+
   /// [B/s]
-  [[nodiscard]] double capacity_bytes_per_s() const { return capacity_bytes_per_s_; }
+  [[nodiscard]] double capacity_bytes_per_s() const {
+    return std::min(capacity_bytes_per_s_, limit_bytes_per_s_);
+  }
+  /// From sending, by this clock, to arrival, by the peer's: the least of a small sample lately.
+  [[nodiscard]] std::optional<Duration> least_crossing() const { return least_.value(); }
   /// Whether it was ever measured on bulk; else it is only assumed.
   [[nodiscard]] bool is_capacity_measured() const { return is_capacity_measured_; }
   /// How long what is sent at `now` would wait in the radio.
@@ -68,7 +78,7 @@ class LinkEstimator {
   /// [0, 1] recent share that was lost.
   [[nodiscard]] double loss() const { return loss_; }
   /// Nothing has been acknowledged for so long that the link counts as dead.
-  [[nodiscard]] bool is_silent(Time now) const;
+  [[nodiscard]] bool is_silent(Time now, Duration after = silent_after) const;
   /// Nothing that was sent waits for an acknowledgement.
   void on_all_settled() { waiting_since_.reset(); }
   /// The link is back: what was learned of its queue is void, what was measured of its capacity
@@ -80,6 +90,7 @@ class LinkEstimator {
 
   WindowedMinimum least_{
       clock_window};  ///< of small samples: by the peer's clock, from sending to arrival
+  double limit_bytes_per_s_ = std::numeric_limits<double>::infinity();
   double capacity_bytes_per_s_ = capacity_start_bytes_per_s;
   bool is_capacity_measured_ = false;
   bool measured_ = false;  ///< the capacity, since the last start_over()
@@ -87,6 +98,7 @@ class LinkEstimator {
   double delay_s_ = 0;      ///< smoothed, RFC 6298
   double deviation_s_ = 0;  ///< smoothed
   Time drained_{};          ///< when the model's queue is empty
+  Time paid_{};             ///< until then the limit is used up
   struct Measurement {
     std::uint64_t burst = 0;
     Time turn{};                    ///< of its bulk in the radio

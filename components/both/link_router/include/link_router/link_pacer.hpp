@@ -5,7 +5,7 @@
 
 #include "link_router/delivery_log.hpp"
 #include "link_router/link_router_params.hpp"
-#include "link_router/peer_paths.hpp"
+#include "link_router/linked_peers.hpp"
 
 namespace tocsin::router {
 
@@ -17,8 +17,8 @@ namespace tocsin::router {
 class LinkPacer {
  public:
   /// The references outlive it.
-  LinkPacer(const LinkRouterParams& params, const PeerPaths& paths, const DeliveryLog& log)
-      : params_(params), paths_(paths), log_(log) {}
+  LinkPacer(const LinkRouterParams& params, const LinkedPeers& peers, const DeliveryLog& log)
+      : params_(params), peers_(peers), log_(log) {}
 
   /// A sample was given to the radio.
   void on_sent(Time now) { sent_at_ = now; }
@@ -37,7 +37,7 @@ class LinkPacer {
  private:
   [[nodiscard]] bool bulk_may_go(Time now) const;
   const LinkRouterParams params_;
-  const PeerPaths& paths_;
+  const LinkedPeers& peers_;
   const DeliveryLog& log_;
   Time sent_at_ = Time::min();
 };

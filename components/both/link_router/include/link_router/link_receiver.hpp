@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <list>
 #include <map>
@@ -50,23 +51,27 @@ class LinkReceiver {
   void on_peer(const std::string& peer, InstanceId instance);
   /// It is gone; what was delivered of it is remembered.
   void forget_peer(const std::string& peer);
-  /// A link writer of a known peer. Of the rule, name, depth, lifespan and traffic_class count.
-  void on_stream(const std::string& peer, StreamId stream, const StreamRule& rule);
+  /// A link writer of a known peer, on a path: one name has one on each. Of the rule, name, depth,
+  /// lifespan and traffic_class count.
+  void on_stream(const std::string& peer, StreamId stream, const StreamRule& rule,
+                 PathIndex path = 0);
   void forget_stream(const std::string& peer, StreamId stream);
 
   [[nodiscard]] Disposition on_arrived(const std::string& peer, const Arrived& arrived, Time now);
-  /// A piece. When all pieces of its sample are there, their contents in order: then the sample has
-  /// arrived, with this transmission, and is for on_arrived(). A whole sample is its own piece. Of
-  /// a stream, 8 samples are put together at once; then the oldest goes.
+  /// A piece, by whatever path. When all pieces of its sample are there, their contents in order:
+  /// then the sample has arrived, with this transmission, and is for on_arrived(). A whole sample
+  /// is its own piece. Of a stream, 8 samples are put together at once; then the oldest goes.
   [[nodiscard]] std::optional<std::vector<std::shared_ptr<const void>>> on_piece(
       const std::string& peer, const Arrived& arrived, Time now);
 
   /// There is something to report to the peer besides.
   void ask_for_acknowledgement(const std::string& peer, Time now);
-  /// An acknowledgement that is due at `now`, and the peer that it is for.
+  /// An acknowledgement that is due at `now`, the peer that it is for, and by which paths it goes:
+  /// those that something came by since the last one, or both.
   struct Addressed {
     std::string peer;
     LinkAcknowledgement acknowledgement;
+    std::array<bool, most_paths> paths{};
   };
   [[nodiscard]] std::optional<Addressed> take_acknowledgement(Time now);
   /// When to call take_acknowledgement(); `never` without a peer.
@@ -84,25 +89,27 @@ class LinkReceiver {
   };
   struct Stream {
     StreamRule rule;
+    PathIndex path = 0;
     TransmissionNumber highest = 0;  ///< 0: nothing yet
     std::uint64_t before = 0;        ///< as in StreamAcknowledgement
     Time last{};                     ///< arrival of the highest
     Time noted{};                    ///< arrival of any
     /// Highest of the numbers far below that were received since then, and no other.
     std::optional<std::pair<TransmissionNumber, Time>> low;
-    std::list<Partial> partial;  ///< the oldest first
   };
+  using Partials = std::list<Partial>;  ///< the oldest first
   struct Peer {
     std::optional<InstanceId> instance;  ///< empty: it is gone
     std::map<StreamId, Stream> streams;
-    std::map<std::pair<std::string, SourceId>, SourceMemory> delivered;  ///< by name of the stream
+    std::map<std::string, Partials> partial;                             ///< by name of the stream
+    std::map<std::pair<std::string, SourceId>, SourceMemory> delivered;  ///< the same
+    std::array<bool, most_paths> came_by{};  ///< since the last acknowledgement
     LeastAge age{clock_window};
     std::uint32_t acknowledgements = 0;
     std::optional<Time> acknowledgement_sent;
     Time acknowledgement_due = Time::min();
   };
-  [[nodiscard]] static std::list<Partial>::iterator partial_of(Stream& stream,
-                                                               const Arrived& arrived);
+  [[nodiscard]] static Partials::iterator partial_of(Partials& all, const Arrived& arrived);
   static void note(Stream& stream, TransmissionNumber number, Time now);
   /// Whether a number far below the highest ends what is remembered of the stream's numbers.
   [[nodiscard]] static bool is_contrary(Stream& stream, TransmissionNumber number, Time now);
@@ -113,6 +120,7 @@ class LinkReceiver {
   /// Not sooner than `period` after the last one.
   static void ask_for_acknowledgement(Peer& peer, Time now, Duration period);
   [[nodiscard]] static LinkAcknowledgement make_acknowledgement(Peer& peer, Time now);
+  [[nodiscard]] static std::array<bool, most_paths> paths_back(Peer& peer);
   /// Whether the peer should hear soon that pieces are still missing.
   [[nodiscard]] static bool misses_pieces(const Peer& peer, Time now);
 

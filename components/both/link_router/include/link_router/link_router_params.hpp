@@ -16,6 +16,7 @@ struct LinkRouterParams {
   int low_repairs = 2;
   double scale_min = 0.25;
   double backfill_share = 0.2;
+  double second_bytes_per_s = 0;
 
   template <class Visitor>
   void visit(Visitor& v) {
@@ -40,6 +41,9 @@ struct LinkRouterParams {
     v("scale_min", scale_min, {0.01, 1}, "[1] least scale of an adaptive stream");
     v("backfill_share", backfill_share, {0.01, 1},
       "[1] of the capacity, for stored samples that did not cross at first, at most");
+    v("second_bytes_per_s", second_bytes_per_s, {0, 1e9},
+      "[B/s] of what waits for the radio, by a second path at most, whose use is metered; 0: what "
+      "it carries");
   }
 };
 

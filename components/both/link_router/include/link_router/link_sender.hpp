@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -19,7 +20,7 @@
 #include "link_router/link_queue.hpp"
 #include "link_router/link_router_params.hpp"
 #include "link_router/link_state_values.hpp"
-#include "link_router/peer_paths.hpp"
+#include "link_router/linked_peers.hpp"
 #include "link_router/retransmitter.hpp"
 #include "link_router/transmission.hpp"
 
@@ -32,6 +33,7 @@ struct Transmission {
   SamplePiece piece{};           ///< of the sample
   std::size_t plain_bytes = 0;   ///< of this piece, had the sample not been compressed
   bool repair = false;           ///< it was sent before
+  PathIndex path = 0;            ///< by which
   DeliveryLog::Record record{};  ///< for on_written(); without its number
 };
 
@@ -42,6 +44,11 @@ struct Transmission {
 /// one of its source has followed. The queue (LinkQueue), the pause (LinkGate), the pace
 /// (LinkPacer), the repairs (Retransmitter), the budgets (LinkAdaptation) and the counters
 /// (LinkCounters) are its parts. Peers are known by name; a new instance of one starts afresh.
+///
+/// Where there are two paths, first transmissions go by the better one (PathChoice). By the rule of
+/// the stream, a repair goes by the path that the last transmission did not take, and a copy of the
+/// first by the other while the better one is poor. One small sample a second goes by both, so that
+/// the other one is known.
 ///
 ///     sender.offer(stream, sample, now);      // for each sample of the host
 ///     while (auto one = sender.next(now)) {   // after each call, and at deadline()
@@ -64,6 +71,9 @@ class LinkSender {
   /// while samples go whole: somebody reads who knows neither pieces nor compression.
   void set_compress(Compress compress) { compress_ = std::move(compress); }
 
+  /// There is a second path.
+  void add_path() { peers_.add_path(params_.second_bytes_per_s); }
+
   /// A link writer.
   void add_stream(StreamId stream, const StreamRule& rule);
   void remove_stream(StreamId stream);
@@ -78,14 +88,14 @@ class LinkSender {
   void set_wanted(const std::string& peer, StreamId stream, bool wanted, Time now);
 
   /// Whether any peer reads it.
-  [[nodiscard]] bool is_wanted(StreamId stream) const { return !paths_.readers_of(stream).empty(); }
+  [[nodiscard]] bool is_wanted(StreamId stream) const { return !peers_.readers_of(stream).empty(); }
 
   /// A sample of the host for a stream that was added.
   void offer(StreamId stream, const Sample& sample, Time now);
   /// What to put on the wire at `now`, if anything.
   [[nodiscard]] std::optional<Transmission> next(Time now);
-  /// It was written, under this number, the next of its stream. One that was not is lost unless it
-  /// is repaired.
+  /// It was written, under this number, the next of its stream on its path. One that was not is
+  /// lost unless it is repaired.
   void on_written(const Transmission& transmission, TransmissionNumber number);
   /// When to call next() though nothing happens; `never` when there is nothing to do.
   [[nodiscard]] Time deadline(Time now) const;
@@ -116,7 +126,7 @@ class LinkSender {
   [[nodiscard]] LinkStateValues state(Time now) const;
   /// [B/s] estimate, of the slowest live peer.
   [[nodiscard]] double capacity_bytes_per_s(Time now) const {
-    return paths_.capacity_bytes_per_s(now);
+    return peers_.capacity_bytes_per_s(now);
   }
   /// Zeroes when there is no such stream.
   [[nodiscard]] StreamCounts stream_counts(StreamId stream) const {
@@ -153,6 +163,16 @@ class LinkSender {
   /// The same, which are sent one after the other, at once.
   [[nodiscard]] std::vector<SentSamplePtr> in_pieces(const SentSamplePtr& sent);
   [[nodiscard]] Transmission transmit(const SentSamplePtr& sent, Time now);
+  /// One transmission more, by its path.
+  [[nodiscard]] Transmission put(const SentSamplePtr& sent, Time now);
+  [[nodiscard]] Transmission put_copy(const SentSamplePtr& sent, Time now);
+  [[nodiscard]] bool goes_by_both(const SentSample& sent, Time now) const;
+  [[nodiscard]] PathIndex path_of_repair(const SentSample& sent, Time now) const;
+  [[nodiscard]] Duration expected_wait(const SentSample& sent, Time now) const;
+  void choose_path(Time now);
+  /// An acknowledgement says that something arrived by the path.
+  void on_arrivals(LinkedPeer& peer, PathIndex path, bool was_silent, Time now);
+  [[nodiscard]] PathValues path_values(PathIndex path, Time now) const;
   void apply(const std::vector<Settlement>& settlements, Time now);
   void apply(const Settlement& settlement, Time now);
   static void take_delivery(SentSample& sent, const Settlement& settlement, Duration delay);
@@ -160,7 +180,7 @@ class LinkSender {
 
   const LinkRouterParams params_;
   std::map<StreamId, Stream> streams_;
-  PeerPaths paths_;
+  LinkedPeers peers_;
   LinkQueue queue_;
   DeliveryLog log_;
   LinkGate gate_;
@@ -170,7 +190,9 @@ class LinkSender {
   LinkCounters counters_;
   std::size_t largest_piece_ = largest_piece;
   Compress compress_;
-  std::deque<SentSamplePtr> burst_;  ///< the pieces of a sample that are still to be sent, at once
+  std::deque<SentSamplePtr> burst_;   ///< the pieces of a sample that are still to be sent, at once
+  std::deque<SentSamplePtr> copies_;  ///< what then goes by the other path, too
+  std::array<Time, most_paths> sent_by_{Time::min(), Time::min()};  ///< the last transmission
   std::uint64_t bursts_ = 0;
 };
 

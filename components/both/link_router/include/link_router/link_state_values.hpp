@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "link_router/transmission.hpp"
 
@@ -37,7 +38,18 @@ struct StreamCounts {
   std::uint64_t paused = 0;   ///< of dropped: DropReason::paused
 };
 
-/// What the router knows of the link and does about it.
+/// What the router knows of one of two paths.
+struct PathValues {
+  bool chosen = false;              ///< first transmissions go by it
+  bool silent = false;              ///< no peer acknowledges what goes by it
+  double capacity_bytes_per_s = 0;  ///< [B/s] estimate, of the slowest live peer
+  Duration backlog{0};              ///< what is in its radio's queue, by the estimate
+  double loss = 0;                  ///< [0, 1] recent share of transmissions that were lost
+  std::optional<Duration> delay;    ///< of small samples, over the least of both; of a known one
+};
+
+/// What the router knows of the link and does about it. Where there are two paths, the numbers of
+/// one are of the chosen.
 struct LinkStateValues {
   std::array<ClassCounts, traffic_classes.size()> classes;
   double capacity_bytes_per_s = 0;  ///< [B/s] estimate, headers included; of the slowest live peer
@@ -47,8 +59,9 @@ struct LinkStateValues {
   double scale = 1;                 ///< [0.25, 1] of the adaptive streams
   double repair_share = 0;          ///< [0, 1] of the capacity, recently spent on repairs
   bool paused = false;
-  std::size_t live_peers = 0;    ///< that acknowledge what they get
-  std::size_t silent_peers = 0;  ///< known, but they do not
+  std::size_t live_peers = 0;     ///< that acknowledge what they get
+  std::size_t silent_peers = 0;   ///< known, but they do not
+  std::vector<PathValues> paths;  ///< where there are two
 };
 
 }  // namespace tocsin::router

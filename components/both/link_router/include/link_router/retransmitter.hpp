@@ -11,7 +11,7 @@
 #include "link_router/link_gate.hpp"
 #include "link_router/link_pacer.hpp"
 #include "link_router/link_router_params.hpp"
-#include "link_router/peer_paths.hpp"
+#include "link_router/linked_peers.hpp"
 
 namespace tocsin::router {
 
@@ -26,9 +26,9 @@ namespace tocsin::router {
 class Retransmitter {
  public:
   /// The references outlive it.
-  Retransmitter(const LinkRouterParams& params, const PeerPaths& paths, const LinkPacer& pacer,
+  Retransmitter(const LinkRouterParams& params, const LinkedPeers& peers, const LinkPacer& pacer,
                 const LinkGate& gate)
-      : params_(params), paths_(paths), pacer_(pacer), gate_(gate) {}
+      : params_(params), peers_(peers), pacer_(pacer), gate_(gate) {}
 
   /// In the order of their sending.
   void add(const SentSamplePtr& sent) { open_.push_back(sent); }
@@ -42,6 +42,9 @@ class Retransmitter {
   std::vector<SentSamplePtr> end_stream(StreamId stream);
   /// The link is back: all that is still wanted is due at once.
   void revive(Time now);
+  /// The path that they were sent by is dead, and there is another: the same, whatever their share
+  /// of the capacity.
+  void revive_elsewhere(Time now);
   /// Takes out those whose fate is decided.
   [[nodiscard]] std::vector<SentSamplePtr> conclude(Time now);
 
@@ -67,7 +70,7 @@ class Retransmitter {
   [[nodiscard]] Time ready(Time now) const;
 
   const LinkRouterParams params_;
-  const PeerPaths& paths_;
+  const LinkedPeers& peers_;
   const LinkPacer& pacer_;
   const LinkGate& gate_;
   std::list<SentSamplePtr> open_;

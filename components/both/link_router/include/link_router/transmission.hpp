@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "foundation/link_path.hpp"
 #include "foundation/sample_coding.hpp"
 #include "foundation/time.hpp"
 #include "foundation/traffic_class.hpp"
@@ -28,8 +29,8 @@ enum class WhilePaused : std::uint8_t {
 /// A link writer as both sides know it, unique within one instance of the router that owns it: its
 /// RTPS entity id.
 using StreamId = std::uint32_t;
-/// RTPS sequence number of a stream's link writer: 1, 2, 3, ... One for each transmission, repairs
-/// included.
+/// RTPS sequence number of a stream's link writer on one path: 1, 2, 3, ... One for each
+/// transmission, repairs included.
 using TransmissionNumber = std::uint64_t;
 /// One instance of a router. A restart has another one.
 using InstanceId = std::uint64_t;
@@ -66,6 +67,7 @@ struct StreamRule {
   bool on_demand = false;   ///< what no peer wants is not sent
   bool stored = false;      ///< the fate of each sample is reported, so that the lost ones follow
   bool compressed = false;  ///< its samples are made smaller where that gains something
+  PathUse paths = PathUse::best;
 };
 
 /// What became of a sample on the link; one that was given up may be delivered all the same.

@@ -130,7 +130,7 @@ void BackfillOutgoing::send(Time now) {
     const auto pieces =
         out.backfill(*flow_, {{0, sample.sequence, now}, sample.bytes, sample.content}, now);
     for (const router::Transmission& one : pieces) {
-      if (const auto number = parts_.link.send(*flow_, sample, one.piece)) {
+      if (const auto number = parts_.link.send(*flow_, sample, one.piece, one.path)) {
         out.on_written(one, *number);
       }
     }

@@ -34,9 +34,11 @@ struct ResolvedFile {
                                                       const ResolvedFile& file,
                                                       const Folders& folders);
 
-/// The emulator that joins the two hosts, whose namespaces are open as `descriptors` in the
-/// order of the hosts. The deployment must have a radio. Throws like plan_processes.
-[[nodiscard]] ProcessSpec plan_radio(const deployment::Deployment& deployment,
-                                     const std::vector<int>& descriptors, const Folders& folders);
+/// The emulator that joins the two hosts, whose namespaces are open as `descriptors` in the order
+/// of the hosts, and that of the second path, where there is one. The deployment must have a radio.
+/// Throws like plan_processes.
+[[nodiscard]] std::vector<ProcessSpec> plan_radios(const deployment::Deployment& deployment,
+                                                   const std::vector<int>& descriptors,
+                                                   const Folders& folders);
 
 }  // namespace tocsin

@@ -75,6 +75,12 @@ struct Program {
 };
 
 /// One side of the radio link.
+/// A second way over the link, beside the one of `address` and `peers`.
+struct SecondPath {
+  std::string address;             ///< IPv4, of this host on it
+  std::vector<std::string> peers;  ///< IPv4 addresses of the host's peers, in the same order
+};
+
 struct Host {
   std::string name;
   Role role = Role::uxv;
@@ -84,12 +90,14 @@ struct Host {
   std::vector<Program> programs;
   std::vector<Container> containers;
   std::string enclave = {};  ///< name of its identity in the keystore
+  std::optional<SecondPath> second = {};
 };
 
 /// The emulated radio between the two hosts; with it each host has a network namespace.
 struct Radio {
   std::string channel;  ///< absolute path of the channel's parameters
   std::string walls;    ///< absolute path of the wall segments
+  std::string second;   ///< the channel of a second radio; empty: there is none
 };
 
 /// When and how often a process that died is started again.

@@ -7,10 +7,10 @@ namespace tocsin {
 namespace {
 
 constexpr std::array<ClassPolicy, traffic_classes.size()> policies{{
-    {"critical", 48, true, true},  // CS6
-    {"high", 32, true, true},      // CS4
-    {"normal", 0, false, false},
-    {"low", 8, false, false},  // CS1
+    {"critical", 48, true, true, PathUse::repair},  // CS6
+    {"high", 32, true, true, PathUse::repair},      // CS4
+    {"normal", 0, false, false, PathUse::best},
+    {"low", 8, false, false, PathUse::best},  // CS1
 }};
 
 }  // namespace

@@ -33,6 +33,10 @@ BusOptions bus_options(const deployment::Deployment& deployment, const deploymen
                      host.name,
                      gid_size_of_environment(),
                      enclave_of(deployment, host)};
+  if (host.second) {
+    options.second_address = host.second->address;
+    options.second_peers = host.second->peers;
+  }
   options.chain = drives_a_vehicle(deployment) ? VehicleChain::ours : VehicleChain::foreign;
   return options;
 }

@@ -47,15 +47,32 @@ int discovery_port(int domain, int participant) { return 7410 + 250 * domain + 2
 /// Routers that may share one address; more than one only where a test needs no second interface.
 constexpr int most_at_one_address = 3;
 
-/// Where routers of the peers receive discovery.
-std::vector<rtps::Locator_t> router_ports(const ParticipantOptions& options) {
+/// Where routers receive discovery that are at one of these.
+std::vector<rtps::Locator_t> router_ports(const ParticipantOptions& options,
+                                          const std::vector<std::string>& peers) {
   std::vector<rtps::Locator_t> all;
-  for (const std::string& peer : options.peers) {
+  for (const std::string& peer : peers) {
     for (int i = 0; i < (peer == options.address ? most_at_one_address : 1); ++i) {
       all.push_back(udp_locator(peer, discovery_port(options.domain, i)));
     }
   }
   return all;
+}
+
+/// Of each path.
+std::vector<rtps::Locator_t> stop_ports(const ParticipantOptions& options) {
+  auto all = router_ports(options, options.peers);
+  for (const rtps::Locator_t& one : router_ports(options, options.second_peers)) {
+    all.push_back(one);
+  }
+  return all;
+}
+
+std::shared_ptr<SecondRadio> second_of(const ParticipantOptions& options) {
+  if (options.second_address.empty()) return nullptr;
+  options.marks->add_path();
+  return std::make_shared<SecondRadio>(
+      SecondRadioPlace{options.second_address, options.second_peers, options.peers});
 }
 
 std::shared_ptr<UDPv4TransportDescriptor> udp_of(const ParticipantOptions& options) {
@@ -72,7 +89,7 @@ std::shared_ptr<TransportSide> side_of(const ParticipantOptions& options,
   if (!options.marks) return nullptr;
   auto repeats = others ? std::make_shared<AuthenticationRepeats>() : nullptr;
   return radio_side(options.address, {options.marks, others, std::move(repeats), options.stop,
-                                      router_ports(options)});
+                                      stop_ports(options), second_of(options)});
 }
 
 bool is_free(const std::string& address, int port) {
@@ -98,7 +115,7 @@ void locate_on_link(const ParticipantOptions& options, dds::DomainParticipantQos
   builtin.metatrafficUnicastLocatorList.push_back(udp_locator(options.address, port));
   qos.wire_protocol().default_unicast_locator_list.push_back(
       udp_locator(options.address, port + 1));
-  for (const rtps::Locator_t& peer : router_ports(options)) {
+  for (const rtps::Locator_t& peer : router_ports(options, options.peers)) {
     builtin.initialPeersList.push_back(peer);
   }
   builtin.discovery_config.leaseDuration = dds_duration(link_lease_s);

@@ -27,7 +27,9 @@ struct ParticipantOptions {
   int domain = 0;
   std::string address = "127.0.0.1";    ///< on the link: IPv4 of the only interface that is used
   std::vector<std::string> peers = {};  ///< on the link: IPv4 addresses; none: on the host
-  std::string user_data = "";           ///< of the participant
+  std::string second_address = {};      ///< on the link, of a second path; empty: none
+  std::vector<std::string> second_peers = {};  ///< the peers by it, in the same order
+  std::string user_data = "";                  ///< of the participant
   std::map<std::string, FlowController> flow_controllers = {};
   /// How long its writers wait, in all, until their readers have what they wrote last.
   Duration farewell = {};

@@ -41,8 +41,10 @@ CarriedSample with_content(CarriedSample sample, std::vector<std::uint8_t> bytes
 }
 
 StopChannel::Options stop_options(const BusOptions& options, std::function<void()> on_news) {
-  return {ipv4_addresses(options.link_peers), options.enclave, radio_message_bytes,
-          std::move(on_news)};
+  auto peers = ipv4_addresses(options.link_peers);
+  const auto by_second = ipv4_addresses(options.second_peers);
+  peers.insert(peers.end(), by_second.begin(), by_second.end());
+  return {std::move(peers), options.enclave, radio_message_bytes, std::move(on_news)};
 }
 
 }  // namespace
@@ -93,6 +95,8 @@ ParticipantOptions FastDdsLinkBus::host_options() {
 ParticipantOptions FastDdsLinkBus::link_options() {
   ParticipantOptions link{options_.host + router_suffix, options_.link_domain,
                           options_.link_address, options_.link_peers};
+  link.second_address = options_.second_address;
+  link.second_peers = options_.second_peers;
   link.marks = marks_;
   link.stop = stop_;
   link.enclave = options_.enclave;
@@ -125,19 +129,25 @@ void FastDdsLinkBus::join_link() {
 void FastDdsLinkBus::connect(FlowId id, Sending& sending) {
   const std::string topic = table_.names().on_wire(sending.flow.topic);
   const TrafficRule* const rule = rules_.find(sending.flow.topic);
-  const auto on_reader = [this, id, on_demand = rule != nullptr && rule->on_demand](
-                             const auto& peer, bool there) {
-    if (there && peer != link_->prefix()) outside_readers_.on_reader(peer);
-    if (there || on_demand) table_.on_peer_listens(peer, id, there);
-  };
-  try {
-    sending.writer = std::make_unique<FlowWriter>(*link_, topic, sending.flow.type,
-                                                  offered_on_link(sending.flow), on_reader);
-  } catch (const EnvironmentError& error) {
-    return log_refusal("send", topic, error);
+  const bool on_demand = rule != nullptr && rule->on_demand;
+  for (PathIndex path = 0; path < paths(); ++path) {
+    const auto on_reader = [this, id, on_demand, path](const auto& peer, bool there) {
+      if (there && peer != link_->prefix()) outside_readers_.on_reader(peer);
+      // Who reads it reads it on each path.
+      if (path == 0 && (there || on_demand)) table_.on_peer_listens(peer, id, there);
+    };
+    Flow flow = sending.flow;
+    flow.path = path;
+    auto& writer = sending.writers[path];
+    try {
+      writer =
+          std::make_unique<FlowWriter>(*link_, topic, flow.type, offered_on_link(flow), on_reader);
+    } catch (const EnvironmentError& error) {
+      return log_refusal("send", topic, error);
+    }
+    marks_->set(writer->entity(),
+                {rules_.dscp(sending.traffic_class), sending.traffic_class, sending.purpose, path});
   }
-  marks_->set(sending.writer->entity(),
-              {rules_.dscp(sending.traffic_class), sending.traffic_class, sending.purpose});
 }
 
 std::optional<LinkEvent> FastDdsLinkBus::take() {
@@ -263,24 +273,26 @@ FlowId FastDdsLinkBus::open(const Flow& flow, TrafficClass traffic_class) {
   return id;
 }
 
-std::uint32_t FastDdsLinkBus::wire_id(FlowId flow) const {
+std::uint32_t FastDdsLinkBus::wire_id(FlowId flow, PathIndex path) const {
   const auto found = sending_.find(flow);
-  const bool known = found != sending_.end() && found->second.writer;
-  return known ? wire_id_of(found->second.writer->entity()) : 0;
+  const bool known = found != sending_.end() && found->second.writers[path];
+  return known ? wire_id_of(found->second.writers[path]->entity()) : 0;
 }
 
 void FastDdsLinkBus::close(FlowId flow) {
   const auto found = sending_.find(flow);
   if (found == sending_.end()) return;
-  if (found->second.writer) marks_->forget(found->second.writer->entity());
+  for (const auto& writer : found->second.writers) {
+    if (writer) marks_->forget(writer->entity());
+  }
   sending_.erase(found);
 }
 
 std::optional<std::uint64_t> FastDdsLinkBus::send(FlowId flow, const CarriedSample& sample,
-                                                  SamplePiece piece) {
+                                                  SamplePiece piece, PathIndex path) {
   const auto found = sending_.find(flow);
-  if (found == sending_.end() || !found->second.writer) return std::nullopt;
-  FlowWriter& writer = *found->second.writer;
+  if (found == sending_.end() || !found->second.writers[path]) return std::nullopt;
+  FlowWriter& writer = *found->second.writers[path];
   const bool is_own = found->second.purpose == LinkPurpose::acknowledgements;
   return is_own ? writer.write_own(sample) : writer.write(sample, piece);
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <atomic>
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <memory>
@@ -42,10 +44,13 @@ class FastDdsLinkBus final : public LinkBus {
   }
   void want(FlowId host_flow, bool wanted) override;
   FlowId open(const Flow& flow, TrafficClass traffic_class) override;
-  [[nodiscard]] std::uint32_t wire_id(FlowId flow) const override;
+  [[nodiscard]] std::size_t paths() const override {
+    return options_.second_address.empty() ? 1 : 2;
+  }
+  [[nodiscard]] std::uint32_t wire_id(FlowId flow, PathIndex path) const override;
   void close(FlowId flow) override;
   [[nodiscard]] std::optional<std::uint64_t> send(FlowId flow, const CarriedSample& sample,
-                                                  SamplePiece piece) override;
+                                                  SamplePiece piece, PathIndex path) override;
   [[nodiscard]] std::size_t largest_piece() const override;
   [[nodiscard]] CarriedSample join(
       const CarriedSample& last,
@@ -76,7 +81,8 @@ class FastDdsLinkBus final : public LinkBus {
     Flow flow;
     LinkPurpose purpose = LinkPurpose::samples;
     TrafficClass traffic_class;
-    std::unique_ptr<FlowWriter> writer;  ///< null while the link is not up
+    /// By path; null while the link is not up, and where there is no such path.
+    std::array<std::unique_ptr<FlowWriter>, most_paths> writers;
   };
   void offer(FlowId id, const Flow& flow);
   [[nodiscard]] ParticipantOptions host_options();

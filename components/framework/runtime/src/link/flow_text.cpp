@@ -21,15 +21,16 @@ struct Words {
   char durability[16] = "";
   int depth = 0;
   double lifespan_s = 0;
-  char stored[8] = "";
+  char more[2][8] = {"", ""};  ///< of these two, in any order
 };
-constexpr const char* stored_word = "stored";
+constexpr std::string_view stored_word = "stored";
+constexpr std::string_view second_word = "second";
 
 std::optional<Words> words_in(const std::string& text) {
   Words words;
   const int found =
-      std::sscanf(text.c_str(), "%15[a-z_],%15[a-z_],%d,%lf,%7[a-z]", words.reliability,
-                  words.durability, &words.depth, &words.lifespan_s, words.stored);
+      std::sscanf(text.c_str(), "%15[a-z_],%15[a-z_],%d,%lf,%7[a-z],%7[a-z]", words.reliability,
+                  words.durability, &words.depth, &words.lifespan_s, words.more[0], words.more[1]);
   const bool sensible =
       found >= 4 && words.depth >= 1 && words.depth <= largest_depth && words.lifespan_s > 0;
   return sensible ? std::optional(words) : std::nullopt;
@@ -40,12 +41,13 @@ std::optional<Words> words_in(const std::string& text) {
 std::string announcement_of(const Flow& flow) {
   const bool separate = !flow.user_data.empty() && flow.user_data.back() != ';';
   return flow.user_data + (separate ? ";" : "") +
-         fmt::format("{}{},{},{},{}{};", flow_key,
+         fmt::format("{}{},{},{},{}{}{};", flow_key,
                      word_of(flow.reliable ? Reliability::reliable : Reliability::best_effort),
                      word_of(flow.transient_local ? Durability::transient_local
                                                   : Durability::volatile_kind),
                      flow.depth, flow.lifespan_s,
-                     flow.stored ? std::string(",") + stored_word : "");
+                     flow.stored ? fmt::format(",{}", stored_word) : "",
+                     flow.path != 0 ? fmt::format(",{}", second_word) : "");
 }
 
 void read_announcement(Flow& flow) {
@@ -60,7 +62,10 @@ void read_announcement(Flow& flow) {
   flow.transient_local = value_of<Durability>(words->durability) == Durability::transient_local;
   flow.depth = words->depth;
   flow.lifespan_s = words->lifespan_s;
-  flow.stored = words->stored == std::string_view(stored_word);
+  for (const std::string_view word : words->more) {
+    if (word == stored_word) flow.stored = true;
+    if (word == second_word) flow.path = 1;
+  }
 }
 
 }  // namespace tocsin

@@ -16,6 +16,7 @@
 #include "foundation/spelling.hpp"
 #include "foundation/yaml_file.hpp"
 #include "named_class.hpp"
+#include "paths_entry.hpp"
 #include "qos/vehicle_chain.hpp"
 #include "runtime/middleware/action_ports.hpp"
 
@@ -23,12 +24,12 @@ namespace tocsin {
 namespace {
 
 void refuse_unknown_maps(const YAML::Node& file, const YamlSources& sources) {
-  std::vector<std::string> known{"dscp"};
+  std::vector<std::string> known{"dscp", "paths"};
   for (const Role role : roles) known.emplace_back(to_string(role));
   for (const auto& entry : file) {
     const std::string key = entry.first.Scalar();
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-    throw ConfigError("traffic classes: '" + key + "' is neither a role nor dscp" +
+    throw ConfigError("traffic classes: '" + key + "' is neither a role nor dscp nor paths" +
                       did_you_mean(known, key, "allowed") + yaml_place(sources, entry.first));
   }
 }
@@ -223,6 +224,8 @@ YAML::Node map_of(const YAML::Node& file, Role role, const std::string& path) {
 
 }  // namespace
 
+std::array<PathUse, traffic_classes.size()> default_paths() { return to_paths({}); }
+
 bool is_pattern(const std::string& name) { return name.find_first_of("*?[") != std::string::npos; }
 
 bool fits(const std::string& pattern, const std::string& name) {
@@ -242,6 +245,7 @@ TrafficRules::TrafficRules(const std::string& path, Role of, VehicleChain chain)
       deployment::read_traffic_file(path, share_folder(own_program()).string(), sources);
   const YAML::Node own = map_of(file, of, path);
   refuse_unknown_maps(file, sources);
+  paths_ = to_paths(load_parameters<PathsEntry>(file["paths"], "paths", sources));
   dscp_ = to_dscp(load_parameters<DscpEntry>(file["dscp"], "dscp", sources));
   NameRules<Keeps> kept_there;  // looked at, and kept by the others
   const std::vector<NamedClass> classes = all_classes(file, sources);

@@ -12,7 +12,9 @@
 #include "fast_dds_v2/key_onlys.hpp"
 #include "transport/host_multicast.hpp"
 #include "transport/packet_filter.hpp"
+#include "transport/radio_socket.hpp"
 #include "transport/receptions.hpp"
+#include "transport/second_radio.hpp"
 
 namespace tocsin {
 namespace {
@@ -72,6 +74,7 @@ class GuardedTransport : public ChainingTransport {
     return side() != nullptr && IPLocator::isMulticast(at) ? side()->group() : nullptr;
   }
   bool open(const rtps::Locator_t& at, TransportReceiverInterface* receiver, std::uint32_t largest);
+  void listen_to_second(const rtps::Locator_t& at, TransportReceiverInterface* receiver);
   void show(TransportReceiverInterface* next, const TransportSide::Packet& packet,
             const rtps::Locator_t& local, const rtps::Locator_t& remote);
 
@@ -97,6 +100,7 @@ bool GuardedTransport::open(const rtps::Locator_t& at, TransportReceiverInterfac
                             std::uint32_t largest) {
   HostMulticastReceiver* const group = group_for(at);
   if (group == nullptr) {
+    listen_to_second(at, receiver);
     return ChainingTransport::OpenInputChannel(
         at, receiver, side() != nullptr ? descriptor_.parts.udp->maxMessageSize : largest);
   }
@@ -107,8 +111,23 @@ bool GuardedTransport::open(const rtps::Locator_t& at, TransportReceiverInterfac
   return true;
 }
 
+void GuardedTransport::listen_to_second(const rtps::Locator_t& at,
+                                        TransportReceiverInterface* receiver) {
+  SecondRadio* const second = side() != nullptr ? side()->second() : nullptr;
+  if (second == nullptr) return;
+  second->start(
+      static_cast<std::uint16_t>(at.port),
+      [this, receiver, at](const std::uint8_t* bytes, std::size_t size, const sockaddr_in& from) {
+        const rtps::Locator_t sender = locator_of(from);
+        if (!side()->second()->is_second(ipv4_of(sender))) return;
+        receive(receiver, bytes, static_cast<std::uint32_t>(size), at, sender);
+      });
+}
+
 bool GuardedTransport::CloseInputChannel(const rtps::Locator_t& at) {
   descriptor_.parts.reception->release();
+  SecondRadio* const second = side() != nullptr ? side()->second() : nullptr;
+  if (second != nullptr) second->stop(static_cast<std::uint16_t>(at.port));
   receptions_.close(at.port);
   HostMulticastReceiver* const group = group_for(at);
   if (group == nullptr) return ChainingTransport::CloseInputChannel(at);
@@ -137,7 +156,7 @@ void GuardedTransport::receive(TransportReceiverInterface* next, const rtps::oct
   std::optional<ActivityTurn> seen;
   if (at.activity) seen.emplace(*at.activity);
   descriptor_.parts.reception->wait();
-  show(next, packet, local, remote);
+  show(next, packet, local, side() != nullptr ? side()->known_as(remote) : remote);
 }
 
 void GuardedTransport::show(TransportReceiverInterface* next, const TransportSide::Packet& packet,

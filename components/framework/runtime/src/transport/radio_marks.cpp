@@ -19,34 +19,43 @@ void RadioMarks::forget(const Endpoint& endpoint) {
   marks_.erase(endpoint);
 }
 
-int RadioMarks::mark(const std::uint8_t* message, std::size_t size, std::size_t sent) {
+RadioMarks::Way RadioMarks::mark(const std::uint8_t* message, std::size_t size, std::size_t sent) {
   const auto endpoint = sender_in(message, size);
   const bool discovery = !endpoint || is_builtin(*endpoint);
   const std::lock_guard<std::mutex> lock(mutex_);
   const std::uint64_t bytes = sent + ip_and_udp_bytes;
   const auto found = discovery ? marks_.end() : marks_.find(*endpoint);
   if (found != marks_.end()) {
-    packets_.add(found->second.traffic_class, found->second.purpose, bytes);
-    return found->second.dscp;
+    const Mark& mark = found->second;
+    packets_.add(mark.traffic_class, mark.purpose, bytes);
+    if (mark.path != 0) packets_.second_bytes += bytes;
+    return {mark.dscp, {mark.path == 0, mark.path != 0}};
   }
-  if (discovery) {
-    packets_.add_discovery(bytes);
-  } else {
-    ++packets_.packets;
-    packets_.bytes += bytes;
+  const Way way{network_control, {true, has_second_}};
+  for (const bool goes : way.paths) {
+    if (goes) note_unknown(bytes, discovery);
   }
-  return network_control;
+  if (way.paths[1]) packets_.second_bytes += bytes;
+  return way;
 }
 
-int RadioMarks::mark_stop(std::size_t sent) {
+void RadioMarks::note_unknown(std::uint64_t bytes, bool discovery) {
+  if (discovery) return packets_.add_discovery(bytes);
+  ++packets_.packets;
+  packets_.bytes += bytes;
+}
+
+int RadioMarks::mark_stop(std::size_t sent, PathIndex path) {
   const std::lock_guard<std::mutex> lock(mutex_);
   packets_.add_stop(sent + ip_and_udp_bytes, true);
+  if (path != 0) packets_.second_bytes += sent + ip_and_udp_bytes;
   return network_control;
 }
 
-void RadioMarks::note_rider(std::size_t bytes) {
+void RadioMarks::note_rider(std::size_t bytes, PathIndex path) {
   const std::lock_guard<std::mutex> lock(mutex_);
   packets_.add_stop(bytes, false);
+  if (path != 0) packets_.second_bytes += bytes;
 }
 
 LinkPackets RadioMarks::packets() const {

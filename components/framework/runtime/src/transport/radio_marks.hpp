@@ -3,6 +3,7 @@
 
 #include <fastdds/rtps/common/EntityId_t.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -24,23 +25,34 @@ class RadioMarks {
     int dscp = 0;  ///< [0, 63]
     TrafficClass traffic_class = TrafficClass::normal;
     LinkPurpose purpose = LinkPurpose::samples;
+    PathIndex path = 0;
   };
+  /// How a packet goes: discovery and what is not known by every path.
+  struct Way {
+    int dscp = network_control;
+    std::array<bool, most_paths> paths{true, false};
+  };
+  /// There is a second path.
+  void add_path() { has_second_ = true; }
   /// Its bytes are counted by class and purpose.
   void set(const eprosima::fastrtps::rtps::EntityId_t& endpoint, const Mark& mark);
   void forget(const eprosima::fastrtps::rtps::EntityId_t& endpoint);
-  /// Notes a packet of `sent` bytes, with the message or a piece of it, and returns its code point.
-  [[nodiscard]] int mark(const std::uint8_t* message, std::size_t size, std::size_t sent);
-  /// The same for a packet that holds a value of the emergency stop alone.
-  [[nodiscard]] int mark_stop(std::size_t sent);
+  /// Notes a packet of `sent` bytes, with the message or a piece of it, and returns how it goes.
+  [[nodiscard]] Way mark(const std::uint8_t* message, std::size_t size, std::size_t sent);
+  /// The same for a packet by a path that holds a value of the emergency stop alone; its code
+  /// point.
+  [[nodiscard]] int mark_stop(std::size_t sent, PathIndex path);
   /// Notes such a value of `bytes` in a packet that was marked.
-  void note_rider(std::size_t bytes);
+  void note_rider(std::size_t bytes, PathIndex path);
   [[nodiscard]] LinkPackets packets() const;
 
  private:
   using Endpoint = eprosima::fastrtps::rtps::EntityId_t;
+  void note_unknown(std::uint64_t bytes, bool discovery);
   mutable std::mutex mutex_;
   std::map<Endpoint, Mark> marks_;
   LinkPackets packets_;
+  bool has_second_ = false;
 };
 
 }  // namespace tocsin

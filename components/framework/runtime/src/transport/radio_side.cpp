@@ -39,7 +39,7 @@ class RadioSender : public rtps::SenderResource {
  public:
   RadioSender(const std::string& address, RadioParts parts)
       : SenderResource(LOCATOR_KIND_UDPv4),
-        socket_(address),
+        sockets_{std::make_unique<RadioSocket>(address), second_socket(parts)},
         parts_(std::move(parts)),
         thread_([this] { run(); }) {
     pthread_setname_np(thread_.native_handle(), "link_discovery");
@@ -57,9 +57,13 @@ class RadioSender : public rtps::SenderResource {
     changed_.notify_one();
     thread_.join();
   }
-  [[nodiscard]] bool usable() const { return socket_.usable(); }
+  [[nodiscard]] bool usable() const { return sockets_[0]->usable(); }
 
  private:
+  using Way = RadioMarks::Way;
+  static std::unique_ptr<RadioSocket> second_socket(const RadioParts& parts) {
+    return parts.second ? std::make_unique<RadioSocket>(parts.second->address(), true) : nullptr;
+  }
   bool send_to_all(const rtps::octet* bytes, std::size_t whole, rtps::LocatorsIterator& next,
                    const rtps::LocatorsIterator& last) {
     const std::size_t size = size_without_statistics(bytes, whole);
@@ -107,14 +111,28 @@ class RadioSender : public rtps::SenderResource {
     }
     return all;
   }
-  bool send_one(const rtps::octet* bytes, std::size_t size, const rtps::Locator_t& to, int dscp) {
+  bool send_one(const rtps::octet* bytes, std::size_t size, const rtps::Locator_t& to,
+                const Way& way) {
     note_header(bytes, size);
+    return send_ways(bytes, size, to, way);
+  }
+  bool send_ways(const rtps::octet* bytes, std::size_t size, const rtps::Locator_t& to,
+                 const Way& way) {
+    bool all = true;
+    if (way.paths[0]) all = send_by(0, {bytes, size}, to, way.dscp);
+    const auto second = way.paths[1] && parts_.second ? parts_.second->second_of(to) : std::nullopt;
+    if (second) all = send_by(1, {bytes, size}, *second, way.dscp) && all;
+    return all;
+  }
+  bool send_by(PathIndex path, const TransportSide::Packet& packet, const rtps::Locator_t& to,
+               int dscp) {
+    const auto [bytes, size] = packet;
     const auto stop = parts_.stop
                           ? parts_.stop->ride(ipv4_of(to), size, std::chrono::steady_clock::now())
                           : nullptr;
-    if (!stop) return socket_.send(bytes, size, to, dscp);
-    parts_.marks->note_rider(stop->size());
-    return socket_.send(bytes, size, to, dscp, *stop);
+    if (!stop) return sockets_[path]->send(bytes, size, to, dscp);
+    parts_.marks->note_rider(stop->size(), path);
+    return sockets_[path]->send(bytes, size, to, dscp, *stop);
   }
   /// Values of the stop that go alone say by it who has sent them.
   void note_header(const rtps::octet* bytes, std::size_t size) {
@@ -130,8 +148,9 @@ class RadioSender : public rtps::SenderResource {
       for (const auto& bytes : parts_.stop->due(peer, now)) {
         for (const rtps::Locator_t& to : parts_.stop_peers) {
           if (ipv4_of(to) != peer) continue;
-          (void)socket_.send(header_.data(), header_.size(), to,
-                             parts_.marks->mark_stop(header_.size() + bytes.size()), bytes);
+          const PathIndex path = parts_.second && parts_.second->is_second(peer) ? 1 : 0;
+          const int dscp = parts_.marks->mark_stop(header_.size() + bytes.size(), path);
+          (void)sockets_[path]->send(header_.data(), header_.size(), to, dscp, bytes);
         }
       }
     }
@@ -167,8 +186,8 @@ class RadioSender : public rtps::SenderResource {
     wake();
   }
   void send_paced(const std::vector<rtps::octet>& bytes, const rtps::Locator_t& to) {
-    (void)socket_.send(bytes.data(), bytes.size(), to,
-                       parts_.marks->mark(bytes.data(), bytes.size(), bytes.size()));
+    (void)send_ways(bytes.data(), bytes.size(), to,
+                    parts_.marks->mark(bytes.data(), bytes.size(), bytes.size()));
   }
   void run() {
     std::unique_lock<std::mutex> lock(mutex_);
@@ -201,7 +220,7 @@ class RadioSender : public rtps::SenderResource {
     }
   }
 
-  RadioSocket socket_;
+  const std::array<std::unique_ptr<RadioSocket>, most_paths> sockets_;  ///< the second may be null
   const RadioParts parts_;
   std::mutex mutex_;
   std::condition_variable changed_;
@@ -235,6 +254,14 @@ class RadioSide final : public TransportSide {
             parts_.stop->take(packet.first, packet.second, ipv4_of(from),
                               std::chrono::steady_clock::now(), wall_now_ns() / 1'000'000'000)};
   }
+  [[nodiscard]] Locator known_as(const Locator& from) const override {
+    return parts_.second ? parts_.second->first_of(from).value_or(from) : from;
+  }
+  [[nodiscard]] SecondRadio* second() override { return parts_.second.get(); }
+  [[nodiscard]] std::unique_lock<std::mutex> turn(const Locator& local) override {
+    if (!parts_.second) return {};
+    return std::unique_lock<std::mutex>(turns_[local.port % 2]);
+  }
   [[nodiscard]] std::uint32_t message_bytes() const override {
     return parts_.others ? largest_datagram : static_cast<std::uint32_t>(radio_message_bytes);
   }
@@ -242,6 +269,8 @@ class RadioSide final : public TransportSide {
  private:
   const std::string address_;
   const RadioParts parts_;
+  /// Packets of two paths come to a port by two threads.
+  std::array<std::mutex, 2> turns_;
 };
 
 }  // namespace

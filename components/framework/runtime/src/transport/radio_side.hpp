@@ -11,6 +11,7 @@
 #include "rtps/other_vendors.hpp"
 #include "transport/guarded_transport.hpp"
 #include "transport/radio_marks.hpp"
+#include "transport/second_radio.hpp"
 #include "transport/stop_channel.hpp"
 
 namespace tocsin {
@@ -18,10 +19,12 @@ namespace tocsin {
 /// What the packets of a router's participant have to do with.
 struct RadioParts {
   std::shared_ptr<RadioMarks> marks;
-  std::shared_ptr<OtherVendors> others;                         ///< null: without DDS Security
-  std::shared_ptr<AuthenticationRepeats> repeats;               ///< null: without DDS Security
-  std::shared_ptr<StopChannel> stop;                            ///< null: no emergency stop
-  std::vector<eprosima::fastrtps::rtps::Locator_t> stop_peers;  ///< where packets of its own go
+  std::shared_ptr<OtherVendors> others;            ///< null: without DDS Security
+  std::shared_ptr<AuthenticationRepeats> repeats;  ///< null: without DDS Security
+  std::shared_ptr<StopChannel> stop;               ///< null: no emergency stop
+  /// Where packets of its own go, by each path.
+  std::vector<eprosima::fastrtps::rtps::Locator_t> stop_peers;
+  std::shared_ptr<SecondRadio> second;  ///< null: there is one path
 };
 
 /// UDP on the link: it sends through a socket of its own from `address`, each packet with the code

@@ -4,10 +4,10 @@
 #include <arpa/inet.h>
 #include <fastrtps/utils/IPLocator.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 #include <array>
 #include <cstring>
+#include <utility>
 
 namespace tocsin {
 
@@ -19,16 +19,16 @@ std::uint32_t ipv4_of(const rtps::Locator_t& locator) {
   return ntohl(address.s_addr);
 }
 
-RadioSocket::RadioSocket(const std::string& address)
-    : descriptor_(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
+FileDescriptor radio_socket(const std::string& address, std::uint16_t port, bool comes_later) {
+  FileDescriptor socket(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
   sockaddr_in own{};
   own.sin_family = AF_INET;
-  usable_ = descriptor_ >= 0 && inet_pton(AF_INET, address.c_str(), &own.sin_addr) == 1 &&
-            ::bind(descriptor_, reinterpret_cast<const sockaddr*>(&own), sizeof own) == 0;
-}
-
-RadioSocket::~RadioSocket() {
-  if (descriptor_ >= 0) ::close(descriptor_);
+  own.sin_port = htons(port);
+  const int free = comes_later ? 1 : 0;
+  const bool bound = socket && inet_pton(AF_INET, address.c_str(), &own.sin_addr) == 1 &&
+                     ::setsockopt(socket.get(), IPPROTO_IP, IP_FREEBIND, &free, sizeof free) == 0 &&
+                     ::bind(socket.get(), reinterpret_cast<const sockaddr*>(&own), sizeof own) == 0;
+  return bound ? std::move(socket) : FileDescriptor{};
 }
 
 bool RadioSocket::send(const std::uint8_t* bytes, std::size_t size, const rtps::Locator_t& to,
@@ -54,7 +54,7 @@ bool RadioSocket::send(const std::uint8_t* bytes, std::size_t size, const rtps::
   const int tos = dscp << 2;  // the lower two bits are ECN (RFC 3168)
   std::memcpy(CMSG_DATA(header), &tos, sizeof tos);
   const auto whole = static_cast<ssize_t>(size + more.size());
-  return ::sendmsg(descriptor_, &message, MSG_DONTWAIT) == whole;
+  return ::sendmsg(socket_.get(), &message, MSG_DONTWAIT) == whole;
 }
 
 }  // namespace tocsin

@@ -8,28 +8,32 @@
 #include <string>
 #include <vector>
 
+#include "foundation/file_descriptor.hpp"
+
 namespace tocsin {
 
 /// IPv4 of a locator, host byte order.
 [[nodiscard]] std::uint32_t ipv4_of(const eprosima::fastrtps::rtps::Locator_t& locator);
 
+/// A UDP socket at an address and port (0: any). `comes_later`: the address need not be on an
+/// interface yet. Without a descriptor when that is refused.
+[[nodiscard]] FileDescriptor radio_socket(const std::string& address, std::uint16_t port,
+                                          bool comes_later);
+
 /// A UDP socket bound to the address of the radio's interface. Any thread sends.
 class RadioSocket {
  public:
-  explicit RadioSocket(const std::string& address);
-  ~RadioSocket();
-  RadioSocket(const RadioSocket&) = delete;
-  RadioSocket& operator=(const RadioSocket&) = delete;
+  explicit RadioSocket(const std::string& address, bool comes_later = false)
+      : socket_(radio_socket(address, 0, comes_later)) {}
 
-  [[nodiscard]] bool usable() const { return usable_; }
+  [[nodiscard]] bool usable() const { return static_cast<bool>(socket_); }
   /// A packet of `size` bytes and `more` behind them. A full socket loses it, as the radio would.
   [[nodiscard]] bool send(const std::uint8_t* bytes, std::size_t size,
                           const eprosima::fastrtps::rtps::Locator_t& to, int dscp,
                           const std::vector<std::uint8_t>& more = {}) const;
 
  private:
-  int descriptor_;
-  bool usable_ = false;
+  FileDescriptor socket_;
 };
 
 }  // namespace tocsin

@@ -28,11 +28,11 @@ TEST(RadioMarks, APacketBearsTheMarkOfItsWriter) {
   RadioMarks sut;
   const rtps::EntityId_t writer = writer_7();
   Bytes bytes = message_of_writer_7();
-  EXPECT_EQ(sut.mark(bytes.data(), bytes.size(), bytes.size()), 48) << "not known yet";
+  EXPECT_EQ(sut.mark(bytes.data(), bytes.size(), bytes.size()).dscp, 48) << "not known yet";
   sut.set(writer, {8, TrafficClass::low, {}});
-  EXPECT_EQ(sut.mark(bytes.data(), bytes.size(), bytes.size()), 8);
+  EXPECT_EQ(sut.mark(bytes.data(), bytes.size(), bytes.size()).dscp, 8);
   sut.forget(writer);
-  EXPECT_EQ(sut.mark(bytes.data(), bytes.size(), bytes.size()), 48);
+  EXPECT_EQ(sut.mark(bytes.data(), bytes.size(), bytes.size()).dscp, 48);
 }
 
 TEST(RadioMarks, TheBytesOfAWriterCountForItsClassAlsoWhenItIsForgotten) {
@@ -76,7 +76,7 @@ TEST(RadioMarks, DiscoveryGoesFirstAndIsCounted) {
   append(announcement, data, content);
   Bytes sample = message();
   append(sample, data, data_of(7));
-  EXPECT_EQ(sut.mark(announcement.data(), announcement.size(), announcement.size()), 48);
+  EXPECT_EQ(sut.mark(announcement.data(), announcement.size(), announcement.size()).dscp, 48);
   (void)sut.mark(sample.data(), sample.size(), sample.size());
   (void)sut.mark(sample.data(), sample.size(), sample.size());
   const LinkPackets packets = sut.packets();

@@ -23,15 +23,24 @@ double log_distance_db(const ChannelParams& p, double distance_m) {
 
 }  // namespace
 
+std::uint64_t own_seed(const ChannelParams& params, std::uint64_t site) {
+  constexpr std::uint64_t stream = 7;
+  return params.shared_shadowing < 1 ? RandomStream(site, stream).bits() : site;
+}
+
 Propagation::Propagation(const ChannelParams& params, std::vector<geometry::Wall> walls,
                          std::uint64_t seed, Time start)
     : params_(params),
       walls_(std::move(walls)),
-      shadowing_(params.shadowing_sigma_db, params.shadowing_distance_m, seed),
-      fading_(299.792458 / params.frequency_mhz, params.environment_doppler_hz, seed),
+      shadowing_(params.shadowing_sigma_db * std::sqrt(params.shared_shadowing),
+                 params.shadowing_distance_m, seed),
+      own_shadowing_(params.shadowing_sigma_db * std::sqrt(1 - params.shared_shadowing),
+                     params.shadowing_distance_m, own_seed(params, seed)),
+      fading_(299.792458 / params.frequency_mhz, params.environment_doppler_hz,
+              own_seed(params, seed)),
       start_(start) {
   if (params.trace && params.trace_random_start) {
-    RandomStream random(seed, 6);
+    RandomStream random(own_seed(params, seed), 6);
     trace_start_s_ = random.uniform() * params.trace->length_s();
   }
   set_position(0, 0);
@@ -62,6 +71,7 @@ void Propagation::set_position(double x_m, double y_m) {
                                                                  y_m - params_.access_point_y_m));
   if (!params_.trace) {
     mean_rssi_dbm_ = params_.tx_dbm - path_loss_db_ + shadowing_.at(x_m, y_m);
+    if (params_.shared_shadowing < 1) mean_rssi_dbm_ += own_shadowing_.at(x_m, y_m);
   }
   fading_.move_to(x_m, y_m, walls_db > 0 ? params_.rician_k_walled_db : params_.rician_k_clear_db);
   faded_from_ = never;

@@ -33,12 +33,13 @@ RadioChannel::RadioChannel(const ChannelParams& params, std::vector<geometry::Wa
       has_mac_(params.mode == "radio"),
       wire_delay_(seconds(params.wire_delay_s)),
       walls_(std::move(walls)),
-      seed_(seed),
+      site_seed_(seed),
+      seed_(own_seed(params, seed)),
       start_(start),
       propagation_(params, walls_, seed, start),
       outages_(params.outages_s, start),
-      medium_(params, propagation_, outages_, seed, start),
-      packet_loss_(params, seed, start),
+      medium_(params, propagation_, outages_, seed_, start),
+      packet_loss_(params, seed_, start),
       reported_at_(start) {}
 
 void RadioChannel::configure(const ChannelParams& params) {
@@ -47,7 +48,7 @@ void RadioChannel::configure(const ChannelParams& params) {
   params_ = params;
   has_mac_ = params.mode == "radio";
   wire_delay_ = seconds(params.wire_delay_s);
-  propagation_ = Propagation(params, walls_, seed_, start_);
+  propagation_ = Propagation(params, walls_, site_seed_, start_);
   propagation_.set_position(x_m, y_m);
   medium_.configure(params);
   packet_loss_ = PacketLoss(params, seed_, start_);

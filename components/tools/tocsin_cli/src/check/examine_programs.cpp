@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "examine_programs.hpp"
 
+#include <utility>
+
 #include "command_line/launch_plan.hpp"
 #include "command_line/run_to_end.hpp"
 #include "foundation/error.hpp"
@@ -12,7 +14,10 @@ namespace {
 std::vector<ProcessSpec> plan(const deployment::Deployment& deployment, const Folders& folders) {
   std::vector<ProcessSpec> specs = plan_processes(deployment, {}, folders);
   // There are no namespaces yet; the descriptors only have to be numbers.
-  if (deployment.radio) specs.push_back(plan_radio(deployment, {0, 1}, folders));
+  if (!deployment.radio) return specs;
+  for (ProcessSpec& one : plan_radios(deployment, {0, 1}, folders)) {
+    specs.push_back(std::move(one));
+  }
   return specs;
 }
 

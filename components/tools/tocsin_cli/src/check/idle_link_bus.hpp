@@ -17,10 +17,10 @@ class IdleLinkBus final : public LinkBus {
   [[nodiscard]] std::optional<LinkEvent> take() override { return std::nullopt; }
   [[nodiscard]] PeerId self() const override { return 0; }
   FlowId open(const Flow&, TrafficClass) override { return ++last_; }
-  [[nodiscard]] std::uint32_t wire_id(FlowId) const override { return 0; }
+  [[nodiscard]] std::uint32_t wire_id(FlowId, PathIndex) const override { return 0; }
   void close(FlowId) override {}
-  [[nodiscard]] std::optional<std::uint64_t> send(FlowId, const CarriedSample&,
-                                                  SamplePiece) override {
+  [[nodiscard]] std::optional<std::uint64_t> send(FlowId, const CarriedSample&, SamplePiece,
+                                                  PathIndex) override {
     return std::nullopt;
   }
   [[nodiscard]] std::size_t largest_piece() const override { return 0; }

@@ -51,6 +51,11 @@ class Examiner {
       add(equipment_.is_running(host.address), host.name + ": address " + host.address,
           "no interface with carrier has it", "topics of the link wait for it, all else runs");
     }
+    if (host.second) {
+      add(equipment_.is_running(host.second->address),
+          host.name + ": second address " + host.second->address,
+          "no interface with carrier has it", "the link goes by the first path alone until then");
+    }
     for (const deployment::Container& container : host.containers) {
       for (const auto& component : container.components) look_at(host.name, component);
     }

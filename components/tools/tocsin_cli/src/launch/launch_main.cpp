@@ -150,7 +150,9 @@ int launch(LaunchOptions& given) {
   if (deployment.radio) {
     std::vector<int> descriptors;
     for (const HostNetwork& network : networks) descriptors.push_back(network.descriptor());
-    launcher.add(plan_radio(deployment, descriptors, folders));
+    for (const ProcessSpec& spec : plan_radios(deployment, descriptors, folders)) {
+      launcher.add(spec);
+    }
   }
   for (const ProcessSpec& spec : specs) launcher.add(spec);
   launcher.serve(std::move(ports));

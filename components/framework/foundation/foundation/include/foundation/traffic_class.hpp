@@ -7,6 +7,8 @@
 #include <optional>
 #include <string_view>
 
+#include "foundation/link_path.hpp"
+
 namespace tocsin {
 
 /// How urgent a link topic is, the most urgent first.
@@ -21,6 +23,7 @@ struct ClassPolicy {
   std::uint8_t dscp;    ///< default code point, see DscpOfClass
   bool repaired;        ///< what is not acknowledged is sent again
   bool passes_backlog;  ///< small samples go although the radio's queue is long or no peer answers
+  PathUse paths;        ///< where there are two, unless the traffic file says otherwise
 };
 [[nodiscard]] const ClassPolicy& policy_of(TrafficClass traffic_class);
 

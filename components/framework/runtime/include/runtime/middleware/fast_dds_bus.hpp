@@ -35,6 +35,8 @@ struct BusOptions {
   bool plain_names = false;  ///< topics are called on the wire as they are, without ROS's `rt/`
   /// Of a router: whether topics of the chain before the wheels may cross, see TrafficRules.
   VehicleChain chain = VehicleChain::foreign;
+  std::string second_address = "";             ///< of a second path over the link; empty: none
+  std::vector<std::string> second_peers = {};  ///< IPv4 of the other sides by it, in the same order
 };
 
 /// The bus on Fast DDS in real time. All topics stay on the host, where any participant with the

@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "foundation/link_path.hpp"
 #include "foundation/sample_coding.hpp"
 #include "foundation/sample_piece.hpp"
 #include "foundation/stop_value.hpp"
@@ -34,11 +35,12 @@ struct Flow {
   double lifespan_s = std::numeric_limits<double>::infinity();  ///< older ones are not delivered
   std::string user_data;  ///< announced with them, such as the layout of the type
   bool stored = false;    ///< on the link: what does not cross at first is backfilled later
+  PathIndex path = 0;     ///< on the link: by which the packets of this writer go
 };
 [[nodiscard]] inline bool operator==(const Flow& one, const Flow& other) {
   const auto all = [](const Flow& flow) {
     return std::tie(flow.topic, flow.type, flow.reliable, flow.transient_local, flow.depth,
-                    flow.lifespan_s, flow.user_data, flow.stored);
+                    flow.lifespan_s, flow.user_data, flow.stored, flow.path);
   };
   return all(one) == all(other);
 }
@@ -86,7 +88,9 @@ struct PeerFound {
 struct PeerLost {
   PeerId peer;
 };
-struct PeerFlow {  ///< a peer's router begins to write on the link
+/// A peer's router begins to write on the link. What it sends by the second path is a flow of its
+/// own, which differs from the one of the first in Flow::path alone.
+struct PeerFlow {
   FlowId flow;
   PeerId peer;
   std::uint32_t wire_id;  ///< by which both sides know it, see LinkBus::wire_id
@@ -112,6 +116,7 @@ struct LinkSample {
   CarriedSample sample;  ///< of a piece, what LinkBus::join takes
   Time received{};
   SamplePiece piece{};
+  PathIndex path = 0;  ///< that it came by
 };
 }  // namespace link_event
 using LinkEvent =
@@ -135,7 +140,8 @@ struct LinkPackets {
   std::uint64_t discovery_bytes = 0;
   std::uint64_t acknowledgement_bytes = 0;  ///< between routers
   std::uint64_t backfill_bytes = 0;         ///< of samples that did not cross at first
-  std::uint64_t stop_bytes = 0;  ///< of the emergency stop's value, in packets and between
+  std::uint64_t stop_bytes = 0;    ///< of the emergency stop's value, in packets and between
+  std::uint64_t second_bytes = 0;  ///< of bytes: by the second path
   /// Of bytes: those of the flows of each class, acknowledgements and backfill included.
   std::array<std::uint64_t, traffic_classes.size()> class_bytes{};
 
@@ -178,17 +184,19 @@ class LinkBus {
   /// (TrafficRules), which begin as not wanted: when they become so, the last samples of states
   /// come. The same again changes nothing.
   virtual void want(FlowId /*host_flow*/, bool /*wanted*/) {}
-  /// Makes a writer on the link, whose packets bear the DSCP of the class.
+  /// [1, most_paths] Paths over the link.
+  [[nodiscard]] virtual std::size_t paths() const { return 1; }
+  /// Makes a writer on each path of the link, whose packets bear the DSCP of the class.
   virtual FlowId open(const Flow& flow, TrafficClass traffic_class) = 0;
-  /// The number by which the peers know a flow of `open`: the entity id of its writer. Zero while
-  /// the link is not up.
-  [[nodiscard]] virtual std::uint32_t wire_id(FlowId flow) const = 0;
+  /// The number by which the peers know a flow of `open` on a path: the entity id of its writer.
+  /// Zero while the link is not up, and where there is no such path.
+  [[nodiscard]] virtual std::uint32_t wire_id(FlowId flow, PathIndex path) const = 0;
   /// Nothing of it is sent any more.
   virtual void close(FlowId flow) = 0;
   /// One transmission on a flow of `open`, of a piece of the sample. Returns its number, the next
-  /// of the flow; nothing when the middleware refused it, or the link is not up.
+  /// of the flow on that path; nothing when the middleware refused it, or the link is not up.
   [[nodiscard]] virtual std::optional<std::uint64_t> send(FlowId flow, const CarriedSample& sample,
-                                                          SamplePiece piece) = 0;
+                                                          SamplePiece piece, PathIndex path) = 0;
   /// [B] of a sample that cross in one packet; 0 while somebody reads who does not join pieces.
   [[nodiscard]] virtual std::size_t largest_piece() const = 0;
   /// The sample whose pieces were received, all of them in their order. `last`: any of them.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <limits>
 #include <map>
 #include <string>
@@ -82,10 +84,13 @@ struct SentTopics {
   [[nodiscard]] const TrafficRule* find(const std::string& topic) const;
 };
 
-/// A file such as config/traffic.yaml for one role: which class each link topic is in, and the DSCP
-/// of each class, and which services and actions the sides serve each other. Names may be patterns.
-/// It may `extends` others; a name leaves the class that it has there. A bare name that is not
-/// beside it is a file of share/config.
+/// Of each class.
+[[nodiscard]] std::array<PathUse, traffic_classes.size()> default_paths();
+
+/// A file such as config/traffic.yaml for one role: which class each link topic is in, the DSCP and
+/// the paths of each class, and which services and actions the sides serve each other. Names may be
+/// patterns. It may `extends` others; a name leaves the class that it has there. A bare name that
+/// is not beside it is a file of share/config.
 class TrafficRules {
  public:
   /// Without a file: everything but the chain before the wheels crosses, of class normal and never
@@ -138,6 +143,10 @@ class TrafficRules {
   [[nodiscard]] std::uint8_t dscp(TrafficClass traffic_class) const {
     return dscp_.of(traffic_class);
   }
+  /// Which paths the samples of a class take: the same for all roles of the file.
+  [[nodiscard]] PathUse paths_of(TrafficClass traffic_class) const {
+    return paths_[static_cast<std::size_t>(traffic_class)];
+  }
 
  private:
   std::string path_;  ///< empty: without a file
@@ -152,6 +161,7 @@ class TrafficRules {
   std::vector<CallClass> call_classes_;
   std::vector<FetchRule> fetches_;
   DscpOfClass dscp_;
+  std::array<PathUse, traffic_classes.size()> paths_ = default_paths();
 };
 
 }  // namespace tocsin

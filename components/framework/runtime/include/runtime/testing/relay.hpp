@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -37,6 +38,15 @@ class Relay {
     const std::lock_guard<std::mutex> lock(mutex_);
     return std::exchange(crossed_, {});
   }
+  /// What is sent from now on goes by this path.
+  void take_path(PathIndex path) { path_ = path; }
+  /// Says it to the peers of the link from now on.
+  void say_stop(const StopValue& value) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    stop_ = value;
+  }
+  /// Of values of the stop that were received, the last one's number; 0: none.
+  [[nodiscard]] std::uint64_t stop_number() const { return stop_number_; }
   [[nodiscard]] std::vector<Flow> peer_flows() {
     const std::lock_guard<std::mutex> lock(mutex_);
     return peer_flows_;
@@ -66,7 +76,9 @@ class Relay {
       {
         const std::lock_guard<std::mutex> lock(mutex_);
         packets_ = bus->packets();
+        if (stop_) bus->say_stop(*stop_);
       }
+      for (const auto& one : bus->take_stop_news().values) stop_number_ = one.value.number;
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
   }
@@ -85,7 +97,7 @@ class Relay {
     const auto count = static_cast<std::uint8_t>(
         largest > 0 && bytes > largest + 4 ? (bytes + largest - 1) / largest : 1);
     for (std::uint8_t i = 0; i < count; ++i) {
-      (void)bus.send(sending_.at(event.flow), sample, {i, count});
+      (void)bus.send(sending_.at(event.flow), sample, {i, count}, path_);
     }
   }
   CarriedSample as_sent(LinkBus& bus, const link_event::HostSample& event) {
@@ -152,6 +164,9 @@ class Relay {
   std::vector<FlowId> gone_;
   std::vector<FlowId> heard_;
   LinkPackets packets_;
+  std::optional<StopValue> stop_;
+  std::atomic<std::uint64_t> stop_number_{0};
+  std::atomic<PathIndex> path_{0};
   std::atomic<int> lost_peers_{0};
   std::atomic<bool> stopping_{false};
   std::thread thread_;

@@ -25,6 +25,7 @@ struct ChannelParams {
   double breakpoint_m = 5;
   double shadowing_sigma_db = 5;
   double shadowing_distance_m = 2;
+  double shared_shadowing = 1;
   double rician_k_clear_db = 6;
   double rician_k_walled_db = 3;
   double environment_doppler_hz = 1;
@@ -78,6 +79,9 @@ struct ChannelParams {
     v("breakpoint_m", breakpoint_m, {1, 1e5}, "[m] distance at which the exponent changes");
     v("shadowing_sigma_db", shadowing_sigma_db, {0, 30}, "[dB] standard deviation of shadowing");
     v("shadowing_distance_m", shadowing_distance_m, {0.1, 1000}, "[m] correlation 1/e at");
+    v("shared_shadowing", shared_shadowing, {0, 1},
+      "[1] below 1: another radio of the site, which shares so much of the variance of the first "
+      "one's shadowing, and nothing else that is drawn");
     v("rician_k_clear_db", rician_k_clear_db, {-20, 60}, "[dB] direct over scattered, no wall");
     v("rician_k_walled_db", rician_k_walled_db, {-20, 60}, "[dB] the same behind a wall");
     v("environment_doppler_hz", environment_doppler_hz, {0, 100}, "[Hz] people moving around");

@@ -12,11 +12,14 @@
 
 namespace tocsin::radio {
 
+/// What is drawn of a radio by itself has this seed: that of the site for its first one.
+[[nodiscard]] std::uint64_t own_seed(const ChannelParams& params, std::uint64_t site);
+
 /// Received power over position and time: log distance, walls, shadowing, fading. The same in both
 /// directions (reciprocal channel, equal transmit powers).
 class Propagation {
  public:
-  /// `start` is time zero of the fading.
+  /// `seed` of the site: see own_seed(). `start` is time zero of the fading.
   Propagation(const ChannelParams& params, std::vector<geometry::Wall> walls, std::uint64_t seed,
               Time start);
 
@@ -55,6 +58,7 @@ class Propagation {
   ChannelParams params_;
   std::vector<geometry::Wall> walls_;
   ShadowingField shadowing_;
+  ShadowingField own_shadowing_;  ///< what this radio does not share
   RicianFading fading_;
   Time start_;
   double trace_start_s_ = 0;

@@ -146,7 +146,8 @@ class RadioChannel {
   bool has_mac_ = true;  ///< mode radio; the other modes are pure losses
   Duration wire_delay_;
   std::vector<geometry::Wall> walls_;
-  std::uint64_t seed_;
+  std::uint64_t site_seed_;
+  std::uint64_t seed_;  ///< of this radio
   Time start_;
   Propagation propagation_;
   Outages outages_;

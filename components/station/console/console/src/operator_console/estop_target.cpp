@@ -24,6 +24,10 @@ BusOptions bus_of(const deployment::Deployment& deployment, const deployment::Ho
   bus.link_domain = deployment.link_domain;
   bus.link_address = host.address;
   bus.link_peers = host.peers;
+  if (host.second) {
+    bus.second_address = host.second->address;
+    bus.second_peers = host.second->peers;
+  }
   bus.enclave = enclave_of(deployment, host);
   bus.host = "estop";
   return bus;

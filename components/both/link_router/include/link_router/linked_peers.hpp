@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "link_router/delivery_log.hpp"
+#include "link_router/link_estimator.hpp"
+#include "link_router/path_choice.hpp"
+#include "link_router/transmission.hpp"
+
+namespace tocsin::router {
+
+/// One instance of a peer as a sender sees it.
+struct LinkedPeer {
+  LinkedPeer(PeerIndex number, InstanceId id) : index(number), instance(id) {}
+  PeerIndex index;
+  InstanceId instance;
+  std::set<StreamId> wanted;                         ///< streams that it reads
+  std::array<LinkEstimator, most_paths> estimators;  ///< of each path to it
+};
+
+/// The peers of a sender, by name: what each reads, and what its acknowledgements say of the paths
+/// to it. A peer that acknowledges nothing is silent and holds the others up in nothing. Where
+/// there are two paths, what no path is named for is of the chosen one. Pure.
+class LinkedPeers {
+ public:
+  /// Null when there is no such peer.
+  [[nodiscard]] LinkedPeer* find(const std::string& peer);
+  [[nodiscard]] LinkedPeer* find(PeerIndex index);
+  /// `peer` must be new.
+  void add(const std::string& peer, InstanceId instance);
+  void remove(const std::string& peer) { peers_.erase(peer); }
+  void forget_stream(StreamId stream);
+  [[nodiscard]] std::vector<PeerIndex> readers_of(StreamId stream) const;
+
+  /// There is a second path from now on, which carries at most so much; 0: what it can.
+  void add_path(double most_bytes_per_s);
+  [[nodiscard]] bool has_two_paths() const { return second_bytes_per_s_.has_value(); }
+  /// Chooses between two paths by what they are at `now`. Whether it is another one than before.
+  bool choose_path(Time now);
+  /// By which what is sent for the first time goes.
+  [[nodiscard]] PathIndex path() const { return choice_.chosen(); }
+  /// What is known of a path: of the worst live peer.
+  [[nodiscard]] PathHealth health(PathIndex path, Time now) const;
+
+  [[nodiscard]] bool empty() const { return peers_.empty(); }
+  /// There are peers, and none acknowledges anything.
+  [[nodiscard]] bool is_silent(Time now) const { return is_silent(path(), now); }
+  [[nodiscard]] bool is_silent(PathIndex path, Time now, Duration after = silent_after) const;
+  /// The peer acknowledges nothing that is sent by any path.
+  [[nodiscard]] bool is_silent(const LinkedPeer& peer, Time now) const;
+  /// The live peer of the least capacity; of silent ones when all are; null without peers.
+  [[nodiscard]] const LinkEstimator* slowest(Time now) const { return slowest(path(), now); }
+  [[nodiscard]] const LinkEstimator* slowest(PathIndex path, Time now) const;
+  /// [B/s] of the slowest; what the parameters assume without peers.
+  [[nodiscard]] double capacity_bytes_per_s(Time now) const {
+    return capacity_bytes_per_s(path(), now);
+  }
+  [[nodiscard]] double capacity_bytes_per_s(PathIndex path, Time now) const;
+  /// How long what is sent at `now` would wait in the radio: longest of the live peers.
+  [[nodiscard]] Duration backlog(Time now) const { return backlog(path(), now); }
+  [[nodiscard]] Duration backlog(PathIndex path, Time now) const;
+
+  [[nodiscard]] std::map<std::string, LinkedPeer>& all() { return peers_; }
+  [[nodiscard]] const std::map<std::string, LinkedPeer>& all() const { return peers_; }
+
+ private:
+  void limit(LinkedPeer& peer) const;
+  std::map<std::string, LinkedPeer> peers_;
+  PeerIndex last_ = 0;
+  std::optional<double> second_bytes_per_s_;  ///< empty: there is one path
+  PathChoice choice_;
+};
+
+}  // namespace tocsin::router

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// Two paths over the link: real Fast DDS on two veth pairs in network namespaces of the test's own.
+#include "link/namespace_pair.hpp"
+
+namespace tocsin {
+namespace {
+
+constexpr std::size_t announcement_bytes = 200;
+
+class SecondPathTest : public NamespacePair {
+ protected:
+  void SetUp() override {
+    NamespacePair::SetUp();
+    if (IsSkipped()) return;
+    ASSERT_TRUE(plug("10.9.0") && give_carrier());
+    ASSERT_TRUE(plug("10.8.0", "2"));
+  }
+  static BusOptions with_second(BusOptions options, const std::string& address,
+                                const std::string& peer) {
+    options.second_address = address;
+    options.second_peers = {peer};
+    return options;
+  }
+  static BusOptions left() {
+    return with_second(options_of("10.9.0.1", "10.9.0.2"), "10.8.0.1", "10.8.0.2");
+  }
+  static BusOptions right() {
+    return with_second(options_of("10.9.0.2", "10.9.0.1"), "10.8.0.2", "10.8.0.1");
+  }
+  /// Whether what is written on the left comes to the right within some seconds.
+  static bool crosses(Publication& writer, Relay& far) {
+    const std::size_t before = far.crossed().size();
+    return eventually([&] {
+      (void)writer.write(text("x"));
+      return far.crossed().size() > before;
+    });
+  }
+  static bool stays_away(Publication& writer, Relay& far) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    const std::size_t before = far.crossed().size();
+    for (int i = 0; i < 50; ++i) {
+      (void)writer.write(text("x"));
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return far.crossed().size() == before;
+  }
+};
+
+TEST_F(SecondPathTest, EachSampleTakesThePathThatItIsSentByAndNoOther) {
+  Relay near(left());
+  const auto far = right_router(right());
+  const auto process = make_fast_dds_bus(left());
+  const auto writer = process->advertise(low_topic);
+  ASSERT_TRUE(crosses(*writer, *far));
+  near.take_path(1);
+  EXPECT_TRUE(stays_away(*writer, *far)) << "the second interface has no carrier";
+  ASSERT_TRUE(give_carrier("2"));
+  EXPECT_TRUE(crosses(*writer, *far)) << "it may come later";
+  EXPECT_GT(near.packets().second_bytes, announcement_bytes);
+}
+
+TEST_F(SecondPathTest, AWriterOnEachPathIsTheSameFlow) {
+  Relay near(left());
+  const auto far = right_router(right());
+  const auto process = make_fast_dds_bus(left());
+  const auto writer = process->advertise(low_topic);
+  ASSERT_TRUE(eventually([&] { return far->peer_flows().size() >= 2; }));
+  auto flows = far->peer_flows();
+  ASSERT_EQ(flows.size(), 2U);
+  EXPECT_NE(flows[0].path, flows[1].path);
+  flows[1].path = flows[0].path;
+  EXPECT_EQ(flows[0], flows[1]);
+}
+
+TEST_F(SecondPathTest, WhenTheFirstInterfaceGoesTheSecondCarriesSamplesDiscoveryAndTheStop) {
+  ASSERT_TRUE(give_carrier("2"));
+  Relay near(left());
+  const auto far = right_router(right());
+  const auto process = make_fast_dds_bus(left());
+  const auto writer = process->advertise(low_topic);
+  ASSERT_TRUE(crosses(*writer, *far));
+  ASSERT_TRUE(run("link del left"));
+  EXPECT_TRUE(stays_away(*writer, *far));
+  near.take_path(1);
+  EXPECT_TRUE(crosses(*writer, *far));
+  StopValue value;
+  value.host = "left";
+  value.number = 77;
+  near.say_stop(value);
+  EXPECT_TRUE(eventually([&] { return far->stop_number() == 77; }));
+  const Endpoint high{{"low", "state", Scope::link}, &type_info<std_msgs::msg::String>()};
+  const std::size_t flows = far->peer_flows().size();
+  const auto another = process->advertise(high);
+  EXPECT_TRUE(eventually([&] { return far->peer_flows().size() > flows; })) << "by discovery";
+  ASSERT_TRUE(plug("10.9.0") && give_carrier());
+  near.take_path(0);
+  EXPECT_TRUE(crosses(*writer, *far)) << "the first is back";
+}
+
+TEST_F(SecondPathTest, APacketOfNoPeerIsNotReceivedThere) {
+  ASSERT_TRUE(give_carrier("2"));
+  BusOptions stranger = left();
+  stranger.second_address = "10.8.0.3";
+  ASSERT_TRUE(run("addr add 10.8.0.3/24 dev left2"));
+  Relay near(stranger);
+  const auto far = right_router(right());
+  const auto process = make_fast_dds_bus(stranger);
+  const auto writer = process->advertise(low_topic);
+  ASSERT_TRUE(crosses(*writer, *far));
+  near.take_path(1);
+  EXPECT_TRUE(stays_away(*writer, *far));
+}
+
+}  // namespace
+}  // namespace tocsin
