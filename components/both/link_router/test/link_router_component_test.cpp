@@ -86,6 +86,103 @@ TEST_F(LinkRouterTest, ALargeSampleGoesInPiecesThatThePeersRouterPutsTogether) {
   EXPECT_EQ(script_.delivered[0].sample.sequence, 10U);
 }
 
+class TwoPathRouterTest : public LinkRouterTest {
+ protected:
+  static constexpr FlowId second_flow = 700;
+  TwoPathRouterTest() {
+    script_.paths = 2;
+    start({}, this_computer());
+    meet();
+  }
+  void begin_second(const std::string& topic, FlowId id = second_flow) {
+    Flow what = flow(topic);
+    what.path = 1;
+    script_.happen(link_event::PeerFlow{id, station, id + 1, what});
+    run(0);
+  }
+  void receive_by(FlowId by, std::uint64_t number, std::uint64_t sequence, SamplePiece piece = {}) {
+    CarriedSample sample;
+    sample.bytes = 100;
+    sample.source = 3;
+    sample.sequence = sequence;
+    sample.sent_wall_ns = host_->bus.wall_ns(host_->bus.now());
+    script_.happen(link_event::LinkSample{by, number, sample, host_->bus.now(), piece});
+    run(0);
+  }
+  /// Acknowledgements that were sent, by path.
+  [[nodiscard]] std::array<int, 2> acknowledged() const {
+    std::array<int, 2> count{};
+    for (const auto& one : script_.sent) {
+      if (script_.opened.at(one.flow).flow.topic == "link_acknowledgement") ++count[one.path];
+    }
+    return count;
+  }
+};
+
+TEST_F(TwoPathRouterTest, ASampleIsDeliveredOnceWhicheverWayItComes) {
+  begin_peer_flow("goal");
+  begin_second("goal");
+  EXPECT_EQ(script_.offered.size(), 1U) << "one writer for the host";
+  receive_by(second_flow, 1, 10);
+  receive_by(peer_flow, 1, 10);
+  receive_by(peer_flow, 2, 11);
+  receive_by(second_flow, 2, 11);
+  ASSERT_EQ(script_.delivered.size(), 2U);
+  EXPECT_EQ(script_.delivered[0].sample.sequence, 10U);
+  EXPECT_EQ(script_.delivered[0].flow, peer_flow);
+}
+
+TEST_F(TwoPathRouterTest, PiecesOfBothPathsMakeOneSample) {
+  begin_second("goal");
+  begin_peer_flow("goal");
+  receive_by(peer_flow, 1, 10, {0, 3});
+  receive_by(second_flow, 1, 10, {1, 3});
+  receive_by(peer_flow, 2, 10, {2, 3});
+  ASSERT_EQ(script_.delivered.size(), 1U);
+}
+
+TEST_F(TwoPathRouterTest, AnAcknowledgementGoesBackByThePathsThatSomethingCameBy) {
+  begin_peer_flow("goal");
+  begin_second("goal");
+  run(2);
+  script_.sent.clear();
+  receive_by(second_flow, 1, 10);
+  run(0.1);
+  EXPECT_EQ(acknowledged()[0], 0);
+  EXPECT_EQ(acknowledged()[1], 1);
+  const auto& message =
+      *static_cast<const Acknowledgement*>(script_.sent.back().sample.content.get());
+  EXPECT_EQ(message.streams(), std::vector<std::uint32_t>{second_flow + 1});
+}
+
+TEST_F(TwoPathRouterTest, AFlowOfTheSecondPathAloneWaitsForTheFirstAndOutlivesIt) {
+  begin_second("goal");
+  receive_by(second_flow, 1, 10);
+  EXPECT_TRUE(script_.delivered.empty());
+  begin_peer_flow("goal");
+  receive_by(second_flow, 2, 11);
+  EXPECT_EQ(script_.delivered.size(), 1U);
+  script_.happen(link_event::PeerFlowGone{peer_flow});
+  run(0);
+  receive_by(second_flow, 3, 12);
+  EXPECT_EQ(script_.delivered.size(), 1U);
+  begin_peer_flow("goal", peer_flow + 10);
+  receive_by(second_flow, 4, 13);
+  EXPECT_EQ(script_.delivered.size(), 2U);
+  script_.happen(link_event::PeerFlowGone{second_flow});
+  run(0);
+  receive_by(second_flow, 5, 14);
+  EXPECT_EQ(script_.delivered.size(), 2U);
+}
+
+TEST_F(TwoPathRouterTest, ReportsBothPaths) {
+  run(1.1);
+  const auto state = host_->states.take().back();
+  ASSERT_EQ(state.paths().size(), 2U);
+  EXPECT_TRUE(state.paths()[0].chosen());
+  EXPECT_EQ(state.paths()[0].bytes() + state.paths()[1].bytes(), state.bytes());
+}
+
 TEST_F(LinkRouterTest, ASampleOfACompressedTopicCrossesSmallerAndIsCountedAsBoth) {
   const TemporaryFolder folder;
   script_.rules = TrafficRules(

@@ -9,7 +9,7 @@
 namespace tocsin {
 namespace {
 
-std::optional<router::StreamId> same(std::uint32_t id) { return id; }
+std::optional<StreamPath> same(std::uint32_t id) { return StreamPath{id, 0}; }
 
 router::LinkAcknowledgement acknowledgement() {
   router::LinkAcknowledgement acknowledgement;
@@ -44,12 +44,13 @@ TEST(RouterMessages, ListsOfUnequalLengthAreNoAcknowledgement) {
 
 TEST(RouterMessages, StreamsThatNobodyKnowsAreLeftOut) {
   const auto only_nine = [](std::uint32_t id) {
-    return id == 9 ? std::optional<router::StreamId>(90) : std::nullopt;
+    return id == 9 ? std::optional(StreamPath{90, 1}) : std::nullopt;
   };
   const auto back = to_acknowledgement(to_message(acknowledgement()), only_nine);
   ASSERT_TRUE(back);
   ASSERT_EQ(back->streams.size(), 1U);
   EXPECT_EQ(back->streams[0].stream, 90U);
+  EXPECT_EQ(back->streams[0].path, 1);
 }
 
 TEST(RouterMessages, ARuleIsMadeOfWhatTheFileAndTheWritersSay) {

@@ -64,25 +64,26 @@ TEST_F(DeploymentTest, TakesTheDomainOfTheCommandLine) {
 }
 
 TEST_F(DeploymentTest, RejectsUnknownKeysEverywhereWithTheirLine) {
-  expect_errors([this](const auto& text) { return error_of(text); },
-                {{"domain: 40", "domian: 40",
-                  "deployment.domian: unknown key; allowed: [qos, traffic, namespace, user, "
-                  "stop_when_exits, restart, radio, security, hosts, domain, parameters]"},
-                 {"domain: 40", "domian: 40", "m.yaml:3)"},
-                 {"role: uxv", "role: uxv\n    rool: 1",
-                  "hosts.uxv.rool: unknown key; allowed: [role, address, peers"},
-                 {"role: uxv", "rol: uxv",
-                  "hosts.uxv.rol: unknown key; allowed: [role, address, peers, enclave, programs, "
-                  "containers]; did you mean 'role'? ("},
-                 {"terminal: true", "terminl: true",
-                  "hosts.gcs.containers.terminl: unknown key; allowed: [name, terminal, health, "
-                  "parameter_services, components]"},
-                 {"{name: base,", "{name: base, x: 1,", "hosts.uxv.programs.x: unknown key"},
-                 {"name: pilot", "nam: pilot", "hosts.uxv.containers.components.nam: unknown key"},
-                 {"limit: 3", "limits: 3", "restart.limits: unknown"},
-                 {"  walls:", "  wals:", "radio.wals: unknown key; allowed: [channel, walls]"},
-                 {"- name: drive", "- name: drive\n        health: {period: 3}",
-                  "hosts.uxv.containers.health.period: unknown key; allowed: [period_s, "}});
+  expect_errors(
+      [this](const auto& text) { return error_of(text); },
+      {{"domain: 40", "domian: 40",
+        "deployment.domian: unknown key; allowed: [qos, traffic, namespace, user, "
+        "stop_when_exits, restart, radio, security, hosts, domain, parameters]"},
+       {"domain: 40", "domian: 40", "m.yaml:3)"},
+       {"role: uxv", "role: uxv\n    rool: 1",
+        "hosts.uxv.rool: unknown key; allowed: [role, address, peers"},
+       {"role: uxv", "rol: uxv",
+        "hosts.uxv.rol: unknown key; allowed: [role, address, peers, second, enclave, programs, "
+        "containers]; did you mean 'role'? ("},
+       {"terminal: true", "terminl: true",
+        "hosts.gcs.containers.terminl: unknown key; allowed: [name, terminal, health, "
+        "parameter_services, components]"},
+       {"{name: base,", "{name: base, x: 1,", "hosts.uxv.programs.x: unknown key"},
+       {"name: pilot", "nam: pilot", "hosts.uxv.containers.components.nam: unknown key"},
+       {"limit: 3", "limits: 3", "restart.limits: unknown"},
+       {"  walls:", "  wals:", "radio.wals: unknown key; allowed: [channel, walls, second]"},
+       {"- name: drive", "- name: drive\n        health: {period: 3}",
+        "hosts.uxv.containers.health.period: unknown key; allowed: [period_s, "}});
 }
 
 TEST_F(DeploymentTest, RejectsAKeyThatIsGivenTwice) {
@@ -142,6 +143,59 @@ TEST_F(DeploymentTest, RejectsBadValues) {
        {"robot_1", "a//b", "deployment.namespace: '"},
        {"robot_1", "1robot", "deployment.namespace: '"},
        {"robot_1", "a-b", "deployment.namespace: '"}});
+}
+
+class SecondPathTest : public DeploymentTest {
+ protected:
+  static std::string with_second(const std::string& uxv, const std::string& gcs) {
+    std::string text = with(whole, "    peers: [10.77.0.2]\n", "    peers: [10.77.0.2]\n" + uxv);
+    return with(text, "    address: 10.77.0.2\n", "    address: 10.77.0.2\n" + gcs);
+  }
+  const std::string uxv_ = "    second: {address: 10.78.0.1, peers: [10.78.0.2]}\n";
+  const std::string gcs_ = "    second: {address: 10.78.0.2, peers: [10.78.0.1]}\n";
+  const std::string whole_ = with_second(uxv_, gcs_);
+};
+
+TEST_F(SecondPathTest, IsReadAndWrittenAgain) {
+  const Deployment sut = load(with(whole_, "radio:\n", "radio:\n  second: ../channel.yaml\n"));
+  EXPECT_EQ(sut.radio->second, path("channel.yaml"));
+  const std::string resolved = path("resolved.yaml");
+  write_resolved(sut, resolved);
+  for (const Deployment& one : {sut, load_resolved(resolved)}) {
+    ASSERT_TRUE(one.hosts[0].second);
+    EXPECT_EQ(one.hosts[0].second->address, "10.78.0.1");
+    EXPECT_EQ(one.hosts[0].second->peers, std::vector<std::string>{"10.78.0.2"});
+    EXPECT_EQ(one.radio->second, path("channel.yaml"));
+  }
+  EXPECT_FALSE(load(whole).hosts[0].second);
+}
+
+TEST_F(SecondPathTest, RefusesWhatHasNoCounterpart) {
+  EXPECT_THAT(error_of(with_second(uxv_, "")),
+              HasSubstr("hosts.uxv.second.peers: '10.78.0.2' is not the second address of host "
+                        "gcs, which has none"));
+  EXPECT_THAT(error_of(with(whole_, "peers: [10.78.0.2]", "peers: [10.78.0.3]")),
+              HasSubstr("of host gcs, which is 10.78.0.2"));
+  EXPECT_THAT(error_of(with(whole_, "peers: [10.78.0.2]", "peers: []")),
+              HasSubstr("hosts.uxv.second.peers: 0 addresses must be as many as the host's peers, "
+                        "which are 1, in the same order"));
+  EXPECT_THAT(error_of(with(whole_, "{address: 10.78.0.1", "{address: 10.77.0.1")),
+              HasSubstr("hosts.uxv.second.address: '10.77.0.1' must not be the host's address"));
+  EXPECT_THAT(error_of(with(whole_, "{address: 10.78.0.1", "{address: modem")),
+              HasSubstr("hosts.uxv.second.address: 'modem' is not an IPv4 address"));
+}
+
+TEST_F(SecondPathTest, AnEmulatedOneNeedsAddressesOfAnotherNetworkOnBothHosts) {
+  const auto emulated = [](const std::string& text) {
+    return with(text, "radio:\n", "radio:\n  second: ../channel.yaml\n");
+  };
+  EXPECT_THAT(error_of(emulated(whole)), HasSubstr("radio.second: host uxv has no `second`"));
+  std::string same = with(whole_, "{address: 10.78.0.1", "{address: 10.77.0.9");
+  same = with(same, "peers: [10.78.0.1]", "peers: [10.77.0.9]");
+  EXPECT_THAT(error_of(emulated(same)),
+              HasSubstr("'10.77.0.9' must be in another /24 network than 10.77.0.1"));
+  EXPECT_THAT(error_of(with(whole_, "radio:\n", "radio:\n  second: ../nothing.yaml\n")),
+              HasSubstr("radio.second: '"));
 }
 
 TEST_F(DeploymentTest, RejectsHostsAndProcessesThatDoNotFit) {

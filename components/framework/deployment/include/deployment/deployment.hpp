@@ -95,9 +95,9 @@ struct Host {
 
 /// The emulated radio between the two hosts; with it each host has a network namespace.
 struct Radio {
-  std::string channel;  ///< absolute path of the channel's parameters
-  std::string walls;    ///< absolute path of the wall segments
-  std::string second;   ///< the channel of a second radio; empty: there is none
+  std::string channel;      ///< absolute path of the channel's parameters
+  std::string walls;        ///< absolute path of the wall segments
+  std::string second = {};  ///< the channel of a second radio; empty: there is none
 };
 
 /// When and how often a process that died is started again.

@@ -71,6 +71,19 @@ TEST(FlowText, TellsThatAFlowIsStored) {
   EXPECT_TRUE(read(announcement_of(stored)).stored);
 }
 
+TEST(FlowText, TellsThatAWriterIsOfTheSecondPath) {
+  for (const bool stored : {false, true}) {
+    Flow second = flow();
+    second.path = 1;
+    second.stored = stored;
+    const Flow back = read(announcement_of(second));
+    EXPECT_EQ(back.path, 1);
+    EXPECT_EQ(back.stored, stored);
+    EXPECT_EQ(back.user_data, flow().user_data);
+  }
+  EXPECT_EQ(read("tocsinflow=reliable,volatile,1,inf,third;").path, 0);
+}
+
 TEST(FlowText, WhatMakesNoSenseChangesNothing) {
   for (const char* text :
        {"tocsinflow=", "tocsinflow=;", "tocsinflow=reliable", "tocsinflow=,,,;",

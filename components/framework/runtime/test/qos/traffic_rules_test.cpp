@@ -241,6 +241,16 @@ TEST(TrafficRules, OfAGatewayInternalsOfTheStackStayOnTheirHost) {
   }
 }
 
+TEST(TrafficRules, PathsAreOfAClass) {
+  const ConfigFile file("uxv: {}\npaths: {critical: both, low: repair}\n");
+  const TrafficRules sut(file.path(), Role::uxv);
+  EXPECT_EQ(sut.paths_of(TrafficClass::critical), PathUse::both);
+  EXPECT_EQ(sut.paths_of(TrafficClass::high), PathUse::repair) << "by default";
+  EXPECT_EQ(sut.paths_of(TrafficClass::normal), PathUse::best);
+  EXPECT_EQ(sut.paths_of(TrafficClass::low), PathUse::repair);
+  EXPECT_EQ(TrafficRules().paths_of(TrafficClass::critical), PathUse::repair);
+}
+
 TEST(TrafficRules, ClassesHaveTheDefaultDscpUnlessTheFileSaysAnother) {
   const ConfigFile file("uxv: {}\ndscp: {high: 34, low: 0}\n");
   const TrafficRules sut(file.path(), Role::uxv);
@@ -262,7 +272,9 @@ TEST(TrafficRules, AMistakeIsAnErrorWithItsPlace) {
   for (const auto& [text, error, place] : std::vector<std::array<const char*, 3>>{
            {"uxv:\n  hihg: {topics: [a]}\n", "uxv.hihg: is no traffic class; did you mean 'high'?",
             ":2)"},
-           {"uxv: {}\ndcsp: {high: 34}\n", "'dcsp' is neither a role nor dscp; did you mean",
+           {"uxv: {}\ndcsp: {high: 34}\n",
+            "'dcsp' is neither a role nor dscp nor paths; did you mean", ":2)"},
+           {"uxv: {}\npaths: {high: all}\n", "paths.high: 'all' is not one of: best, repair, both",
             ":2)"},
            {"uxv: {}\ndscp: {high: 64}\n", "dscp.high: 64 is outside [0, 63]", ":2)"},
            {"uxv: {}\ndscp: {urgent: 46}\n", "dscp.urgent: unknown key; allowed: ", ":2)"},

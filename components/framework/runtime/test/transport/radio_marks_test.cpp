@@ -35,6 +35,21 @@ TEST(RadioMarks, APacketBearsTheMarkOfItsWriter) {
   EXPECT_EQ(sut.mark(bytes.data(), bytes.size(), bytes.size()).dscp, 48);
 }
 
+TEST(RadioMarks, AWritersPacketsTakeItsPathAndDiscoveryTakesBoth) {
+  RadioMarks sut;
+  Bytes bytes = message_of_writer_7();
+  const auto paths = [&] { return sut.mark(bytes.data(), bytes.size(), bytes.size()).paths; };
+  EXPECT_EQ(paths(), (std::array{true, false}));
+  sut.add_path();
+  EXPECT_EQ(paths(), (std::array{true, true})) << "of a writer that is not known";
+  sut.set(writer_7(), {8, TrafficClass::low, {}, 1});
+  EXPECT_EQ(paths(), (std::array{false, true}));
+  sut.set(writer_7(), {8, TrafficClass::low, {}, 0});
+  EXPECT_EQ(paths(), (std::array{true, false}));
+  EXPECT_EQ(sut.packets().bytes, 5 * (bytes.size() + 28));
+  EXPECT_EQ(sut.packets().second_bytes, 2 * (bytes.size() + 28));
+}
+
 TEST(RadioMarks, TheBytesOfAWriterCountForItsClassAlsoWhenItIsForgotten) {
   RadioMarks sut;
   const rtps::EntityId_t writer = writer_7();

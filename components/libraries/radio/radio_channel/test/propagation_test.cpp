@@ -54,6 +54,30 @@ TEST(Propagation, AddsUpToReceivedPowerAndSnr) {
   EXPECT_NEAR(sut.rssi_dbm(t0), sut.mean_rssi_dbm(), 0.05);
 }
 
+TEST(Propagation, AnotherRadioOfTheSiteSharesAsMuchShadowingAsItSays) {
+  ChannelParams first = plain();
+  first.shadowing_sigma_db = 6;
+  for (const double share : {0.0, 0.5, 0.9}) {
+    ChannelParams second = first;
+    second.shared_shadowing = share;
+    double product = 0;
+    double one = 0;
+    double other = 0;
+    for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+      Propagation a(first, {}, seed, t0);
+      Propagation b(second, {}, seed, t0);
+      for (Propagation* sut : {&a, &b}) sut->set_position(3, 1);
+      const double x = a.mean_rssi_dbm() + a.path_loss_db() - 16;
+      const double y = b.mean_rssi_dbm() + b.path_loss_db() - 16;
+      product += x * y;
+      one += x * x;
+      other += y * y;
+    }
+    EXPECT_NEAR(product / std::sqrt(one * other), std::sqrt(share), 0.12) << share;
+    EXPECT_NEAR(std::sqrt(other / one), 1, 0.12) << "as strong";
+  }
+}
+
 TEST(Propagation, FadesMoreBehindAWall) {
   ChannelParams params = plain();
   params.rician_k_walled_db = 0;

@@ -81,5 +81,10 @@ function linkText(link: LinkState): string {
     `scale ${number(link.scale, 2)}`,
   ];
   if (link.silent_peers > 0 && link.live_peers === 0) words.push("peer silent");
+  const [first, second] = link.paths;
+  if (first !== undefined && second !== undefined) {
+    words.push(first.chosen ? "by the first path" : "by the second path");
+    if ((first.chosen ? second : first).silent) words.push("the other silent");
+  }
   return words.join(", ");
 }

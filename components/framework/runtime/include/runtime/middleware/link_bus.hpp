@@ -140,10 +140,10 @@ struct LinkPackets {
   std::uint64_t discovery_bytes = 0;
   std::uint64_t acknowledgement_bytes = 0;  ///< between routers
   std::uint64_t backfill_bytes = 0;         ///< of samples that did not cross at first
-  std::uint64_t stop_bytes = 0;    ///< of the emergency stop's value, in packets and between
-  std::uint64_t second_bytes = 0;  ///< of bytes: by the second path
+  std::uint64_t stop_bytes = 0;  ///< of the emergency stop's value, in packets and between
   /// Of bytes: those of the flows of each class, acknowledgements and backfill included.
   std::array<std::uint64_t, traffic_classes.size()> class_bytes{};
+  std::uint64_t second_bytes = 0;  ///< of bytes: by the second path
 
   /// A packet of a flow of `open`.
   void add(TrafficClass traffic_class, LinkPurpose purpose, std::uint64_t size) {

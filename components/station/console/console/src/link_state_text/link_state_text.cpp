@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include "foundation/printable.hpp"
 #include "foundation/role.hpp"
@@ -71,6 +72,17 @@ Line trouble(const LinkState& state) {
   return line;
 }
 
+/// Which of two paths is in use, and what the other one does; empty where there is one.
+Line paths(const LinkState& state) {
+  if (state.paths().size() < 2) return {};
+  const bool first = state.paths()[0].chosen();
+  Line line{{first ? ", by the first path" : ", by the SECOND path",
+             first ? Style::plain : Style::warning, 1}};
+  const auto& other = state.paths()[first ? 1 : 0];
+  if (other.silent()) line.push_back({", the other SILENT", Style::warning, 1});
+  return line;
+}
+
 std::uint64_t dropped(const LinkClass& one) {
   return one.dropped_paused() + one.dropped_superseded() + one.dropped_expired() +
          one.dropped_overflow();
@@ -103,6 +115,7 @@ Line words(const LinkState& state) {
     line.push_back({std::move(text), style, rank});
   };
   add(capacity(state), 0);
+  for (auto& span : paths(state)) line.push_back(std::move(span));
   add(", backlog " + number(1000.0 * state.backlog_s(), 0, " ms"), 1,
       waits ? Style::warning : Style::plain);
   add(", loss " + loss(state), 2);

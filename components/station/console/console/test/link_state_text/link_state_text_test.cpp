@@ -61,6 +61,23 @@ std::string table_of(const std::vector<LinkState>& states, std::size_t width = 2
   return text;
 }
 
+LinkState with_two_paths() {
+  LinkState state = healthy();
+  state.paths().resize(2);
+  state.paths()[0].chosen(true);
+  return state;
+}
+
+TEST(LinkStateText, SaysWhichOfTwoPathsIsInUseAndThatTheOtherIsSilent) {
+  EXPECT_THAT(text_of(healthy()), Not(HasSubstr("path")));
+  LinkState state = with_two_paths();
+  EXPECT_THAT(text_of(state), AllOf(HasSubstr(" by the first path,"), Not(HasSubstr("SILENT"))));
+  state.paths()[0].chosen(false);
+  state.paths()[0].silent(true);
+  state.paths()[1].chosen(true);
+  EXPECT_THAT(text_of(state), HasSubstr(" by the SECOND path, the other SILENT,"));
+}
+
 TEST(LinkStateText, LeavesOutWhatMattersLessWhereThereIsNoRoom) {
   EXPECT_EQ(text_of(healthy()),
             "1182 kB/s, backlog 3 ms, loss 1 %, late 3+1, repaired 12+4, scale 0.75, repairs 4 %, "
