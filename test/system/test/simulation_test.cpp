@@ -11,6 +11,7 @@
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -158,6 +159,34 @@ TEST_F(SimulationTest, TheVehicleLearnsWhereItsLinkIsLostAndTakesOtherWays) {
     has_saved = has_saved || std::stod(silent_s[i]) < 0.5 * std::stod(shortest_s[i]);
   }
   EXPECT_TRUE(has_saved) << choices;
+}
+
+/// [s] The longest wait for a heartbeat of the vehicle.
+double longest_silence_s(const std::string& heartbeats) {
+  const auto roles = column(heartbeats, "role");
+  const auto received = column(heartbeats, "receive_s");
+  double longest_s = 0;
+  std::optional<double> last_s;
+  for (std::size_t i = 0; i < roles.size(); ++i) {
+    if (roles[i] != "uxv") continue;
+    const double at_s = std::stod(received[i]);
+    longest_s = std::max(longest_s, at_s - last_s.value_or(at_s));
+    last_s = at_s;
+  }
+  return longest_s;
+}
+
+TEST_F(SimulationTest, ASecondPathCarriesTheMissionWhenTheFirstIsDeadForHalfAMinute) {
+  const std::string channel =
+      temporary_.write("dies.yaml", "extends: " + Stack::share("config/radio/classroom.yaml") +
+                                        "\nradio_channel: {outages_s: [20, 30]}\n");
+  const std::string words =
+      " --seed 1 --channel " + channel + " --set 'recorder.topics=[heartbeat]'";
+  ASSERT_EQ(sim("two_paths.yaml" + words).code, 0);
+  EXPECT_THAT(read("errors"), HasSubstr("mission mission_a: done"));
+  ASSERT_EQ(sim("mission.yaml" + words).code, 0);
+  EXPECT_LT(longest_silence_s(recorded(1, "gcs", "heartbeat")), 1.5) << "one comes each second";
+  EXPECT_GT(longest_silence_s(recorded(2, "gcs", "heartbeat")), 25);
 }
 
 TEST_F(SimulationTest, ASurveyIsDoneWithAModelOfTheLocaliser) {

@@ -69,7 +69,7 @@ TEST_F(TwoPaths, AClassOfTheBestPathAloneIsRepairedThere) {
 TEST_F(TwoPaths, APathThatDiesCostsNoSampleAndLateOnesWithinARepairOnly) {
   link.add(1, rule_with(PathUse::repair));
   play(3000 * ms);
-  for (const PathIndex dies : {0, 1}) {
+  for (const PathIndex dies : {PathIndex{0}, PathIndex{1}}) {
     link.dead_paths[dies] = true;
     const std::size_t before = link.delivered[1].size();
     play(5000 * ms);

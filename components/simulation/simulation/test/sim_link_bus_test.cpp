@@ -61,7 +61,7 @@ TEST_F(LinkBusTest, AFlowIsWhatItsWriterAnnounces) {
   ASSERT_EQ(down().count<PeerFlow>(), 1U);
   const PeerFlow flow = down().got<PeerFlow>()[0];
   EXPECT_EQ(flow.peer, up().bus.self());
-  EXPECT_EQ(flow.wire_id, up().bus.wire_id(up().opened.begin()->second));
+  EXPECT_EQ(flow.wire_id, up().bus.wire_id(up().opened.begin()->second, 0));
   EXPECT_EQ(flow.what, up().got<HostFlow>()[0].what);
   EXPECT_EQ(flow.what.topic, "camera/image_raw/compressed");
   EXPECT_EQ(flow.what.type, "sensor_msgs::msg::dds_::CompressedImage_");

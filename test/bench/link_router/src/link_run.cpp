@@ -165,7 +165,13 @@ class LinkRun {
     double late = 0;
     double lost = 0;
     std::vector<bool> missed;
+    double unplugged = 0;
+    double unplugged_late = 0;
   };
+  [[nodiscard]] bool is_of_unplugging(Time time) const {
+    return steps_.unplugged && time >= *steps_.unplugged &&
+           time < *steps_.unplugged + std::chrono::seconds(2);
+  }
 
   [[nodiscard]] Class collect(TrafficClass traffic_class, bool adaptive_only) const {
     Class of;
@@ -182,6 +188,9 @@ class LinkRun {
         if (!one.delivered) ++of.lost;
         if (!one.delivered || one.latency > late_after) ++of.late;
         if (one.delivered) of.latencies_ms.push_back(1e3 * to_seconds(one.latency));
+        if (!is_of_unplugging(one.time)) continue;
+        ++of.unplugged;
+        if (of.missed.back()) ++of.unplugged_late;
       }
     }
     return of;
@@ -213,6 +222,8 @@ class LinkRun {
     f.acknowledgements_per_s = routers_.acknowledgements() / length_s;
     f.acknowledgement_bytes_per_s = routers_.acknowledgement_bytes() / length_s;
     f.repairs_per_s = routers_.repairs() / length_s;
+    if (critical.unplugged > 0)
+      f.unplugged_late = 100 * critical.unplugged_late / critical.unplugged;
     f.critical_kb_per_s = critical_bytes() / length_s / 1e3;
     return f;
   }

@@ -26,6 +26,7 @@ struct Steps {
   std::optional<radio::ChannelParams> first;   ///< in place of the mission's channel
   std::optional<radio::ChannelParams> second;  ///< of a second path; none: there is one
   PathUse urgent = PathUse::repair;            ///< of classes critical and high
+  std::optional<Time> unplugged;               ///< when `first` dies
 };
 
 /// What users feel of one run; of the vehicle's samples, after the first 12 s.
@@ -48,6 +49,7 @@ struct Figures {
   double acknowledgement_bytes_per_s = 0;  ///< with all headers
   double repairs_per_s = 0;
   double critical_kb_per_s = 0;  ///< with all headers, of the vehicle's
+  double unplugged_late = 0;     ///< [%] critical_late, of the 2 s after Steps::unplugged
   double unreachable = 0;        ///< [%] of the time: nothing written then can be there in 250 ms
   double least_p99_ms = 0;       ///< what is written then can be there after so long in 99 %
 };

@@ -70,10 +70,10 @@ TEST(RadioMarks, BytesAreCountedByWhatTheyAreFor) {
   Bytes bytes = message_of_writer_7();
   sut.set(writer, {48, TrafficClass::critical, LinkPurpose::acknowledgements});
   (void)sut.mark(bytes.data(), bytes.size(), 100);
-  sut.note_rider(40);
+  sut.note_rider(40, 0);
   sut.set(writer, {8, TrafficClass::low, LinkPurpose::backfill});
   (void)sut.mark(bytes.data(), bytes.size(), 1000);
-  EXPECT_EQ(sut.mark_stop(60), 48);
+  EXPECT_EQ(sut.mark_stop(60, 0), 48);
   const LinkPackets packets = sut.packets();
   EXPECT_EQ(packets.acknowledgement_bytes, 128U);
   EXPECT_EQ(packets.backfill_bytes, 1028U);
