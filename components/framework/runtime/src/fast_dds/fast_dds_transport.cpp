@@ -4,10 +4,6 @@
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastrtps/utils/IPLocator.h>
 
-#include <arpa/inet.h>
-#include <sys/socket.h>
-#include <unistd.h>
-
 #include <filesystem>
 
 #include "keystore/enclave.hpp"
@@ -17,6 +13,7 @@
 #include "transport/host_side.hpp"
 #include "transport/packet_filter.hpp"
 #include "transport/radio_side.hpp"
+#include "transport/radio_socket.hpp"
 
 namespace tocsin {
 namespace {
@@ -68,16 +65,17 @@ std::vector<rtps::Locator_t> stop_ports(const ParticipantOptions& options) {
   return all;
 }
 
-std::shared_ptr<SecondRadio> second_of(const ParticipantOptions& options) {
+std::shared_ptr<TwoRadios> radios_of(const ParticipantOptions& options) {
   if (options.second_address.empty()) return nullptr;
   options.marks->add_path();
-  return std::make_shared<SecondRadio>(
-      SecondRadioPlace{options.second_address, options.second_peers, options.peers});
+  return std::make_shared<TwoRadios>(
+      TwoRadiosPlace{options.address, options.second_address, options.peers, options.second_peers});
 }
 
 std::shared_ptr<UDPv4TransportDescriptor> udp_of(const ParticipantOptions& options) {
   auto udp = std::make_shared<UDPv4TransportDescriptor>();
-  udp->interfaceWhiteList = {options.address};
+  // With two paths it opens nothing: TwoRadios does, whether or not an interface is there yet.
+  if (options.second_address.empty()) udp->interfaceWhiteList = {options.address};
   if (!is_on_link(options)) udp->sendBufferSize = udp->receiveBufferSize = host_socket_bytes;
   return udp;
 }
@@ -89,26 +87,20 @@ std::shared_ptr<TransportSide> side_of(const ParticipantOptions& options,
   if (!options.marks) return nullptr;
   auto repeats = others ? std::make_shared<AuthenticationRepeats>() : nullptr;
   return radio_side(options.address, {options.marks, others, std::move(repeats), options.stop,
-                                      stop_ports(options), second_of(options)});
+                                      stop_ports(options), radios_of(options)});
 }
 
-bool is_free(const std::string& address, int port) {
-  const int descriptor = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-  sockaddr_in own{};
-  own.sin_family = AF_INET;
-  own.sin_port = htons(static_cast<std::uint16_t>(port));
-  inet_pton(AF_INET, address.c_str(), &own.sin_addr);
-  const bool free = ::bind(descriptor, reinterpret_cast<const sockaddr*>(&own), sizeof own) == 0;
-  ::close(descriptor);
-  return free;
+bool is_free(const ParticipantOptions& options, int port) {
+  const bool comes_later = !options.second_address.empty();
+  return static_cast<bool>(
+      radio_socket(options.address, static_cast<std::uint16_t>(port), comes_later));
 }
 
 /// A router's ports are known, so that one announcement finds it.
 void locate_on_link(const ParticipantOptions& options, dds::DomainParticipantQos& qos) {
   rtps::BuiltinAttributes& builtin = qos.wire_protocol().builtin;
   int own = 0;
-  while (own + 1 < most_at_one_address &&
-         !is_free(options.address, discovery_port(options.domain, own))) {
+  while (own + 1 < most_at_one_address && !is_free(options, discovery_port(options.domain, own))) {
     ++own;
   }
   const int port = discovery_port(options.domain, own);

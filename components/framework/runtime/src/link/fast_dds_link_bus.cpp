@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "foundation/error.hpp"
-#include "foundation/network_interface.hpp"
+#include "foundation/joined.hpp"
 #include "graph/ros_graph.hpp"
 #include "idl_support/decode.hpp"
 #include "idl_support/encode.hpp"
@@ -65,16 +65,23 @@ FastDdsLinkBus::FastDdsLinkBus(const BusOptions& options, std::function<void()> 
         return std::make_unique<FlowReader>(
             *link_, key, [this](TakenSample&& taken) { on_link_sample(std::move(taken)); });
       }) {
-  if (interface_is_running(options_.link_address)) {
+  const auto addresses = link_addresses();
+  if (LateInterface::any_runs(addresses)) {
     join_link();
     return;
   }
-  log_.warn("no interface with {} is up; link topics wait for it", options_.link_address);
-  late_ = std::make_unique<LateInterface>(options_.link_address, [this] {
+  log_.warn("no interface with {} is up; link topics wait for it", joined(addresses, " or "));
+  late_ = std::make_unique<LateInterface>(addresses, [this] {
     interface_is_up_ = true;
     table_.wake();
     return true;
   });
+}
+
+std::vector<std::string> FastDdsLinkBus::link_addresses() const {
+  std::vector<std::string> addresses{options_.link_address};
+  if (!options_.second_address.empty()) addresses.push_back(options_.second_address);
+  return addresses;
 }
 
 ParticipantOptions FastDdsLinkBus::host_options() {
@@ -153,7 +160,7 @@ void FastDdsLinkBus::connect(FlowId id, Sending& sending) {
 std::optional<LinkEvent> FastDdsLinkBus::take() {
   if (interface_is_up_.exchange(false)) {
     join_link();
-    log_.info("the interface with {} is up; link topics cross it", options_.link_address);
+    log_.info("an interface with {} is up; link topics cross it", joined(link_addresses(), " or "));
   }
   auto event = table_.pop();
   if (!event) {

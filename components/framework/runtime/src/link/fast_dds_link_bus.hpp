@@ -9,6 +9,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "fast_dds/graph_writer.hpp"
 #include "foundation/error.hpp"
@@ -85,6 +86,7 @@ class FastDdsLinkBus final : public LinkBus {
     std::array<std::unique_ptr<FlowWriter>, most_paths> writers;
   };
   void offer(FlowId id, const Flow& flow);
+  [[nodiscard]] std::vector<std::string> link_addresses() const;
   [[nodiscard]] ParticipantOptions host_options();
   [[nodiscard]] ParticipantOptions link_options();
   void join_link();

@@ -8,6 +8,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -36,8 +37,8 @@ void forget_waiting(int socket) {
 
 }  // namespace
 
-LateInterface::LateInterface(std::string address, std::function<bool()> on_running)
-    : address_(std::move(address)),
+LateInterface::LateInterface(std::vector<std::string> addresses, std::function<bool()> on_running)
+    : addresses_(std::move(addresses)),
       on_running_(std::move(on_running)),
       stop_(eventfd(0, EFD_CLOEXEC)),
       changes_(open_changes()),
@@ -53,10 +54,14 @@ LateInterface::~LateInterface() {
   if (changes_ >= 0) close(changes_);
 }
 
+bool LateInterface::any_runs(const std::vector<std::string>& addresses) {
+  return std::any_of(addresses.begin(), addresses.end(), interface_is_running);
+}
+
 void LateInterface::watch() {
   constexpr int longest_ms = 1000;
   std::array<pollfd, 2> polled{{{stop_, POLLIN, 0}, {changes_, POLLIN, 0}}};
-  while (!interface_is_running(address_) || !on_running_()) {
+  while (!any_runs(addresses_) || !on_running_()) {
     (void)poll(polled.data(), polled.size(), longest_ms);  // skips a negative descriptor
     if (polled[0].revents != 0) return;
     if (changes_ >= 0) forget_waiting(changes_);

@@ -4,15 +4,18 @@
 #include <functional>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace tocsin {
 
-/// Waits on a thread of its own until an address is on a running interface. The kernel tells of
-/// changes (netlink); where it does not, a look once a second.
+/// Waits on a thread of its own until one of some addresses is on a running interface. The kernel
+/// tells of changes (netlink); where it does not, a look once a second.
 class LateInterface {
  public:
   /// `on_running` is called from that thread until it returns true; then the thread ends.
-  LateInterface(std::string address, std::function<bool()> on_running);
+  LateInterface(std::vector<std::string> addresses, std::function<bool()> on_running);
+  /// Whether one of them is on a running interface now.
+  [[nodiscard]] static bool any_runs(const std::vector<std::string>& addresses);
   /// Waits for a running call.
   ~LateInterface();
   LateInterface(const LateInterface&) = delete;
@@ -20,7 +23,7 @@ class LateInterface {
 
  private:
   void watch();
-  const std::string address_;
+  const std::vector<std::string> addresses_;
   const std::function<bool()> on_running_;
   const int stop_;     // eventfd
   const int changes_;  // netlink socket; -1: not allowed

@@ -12,9 +12,8 @@
 #include "fast_dds_v2/key_onlys.hpp"
 #include "transport/host_multicast.hpp"
 #include "transport/packet_filter.hpp"
-#include "transport/radio_socket.hpp"
 #include "transport/receptions.hpp"
-#include "transport/second_radio.hpp"
+#include "transport/two_radios.hpp"
 
 namespace tocsin {
 namespace {
@@ -41,7 +40,15 @@ rtps::Locator_t locator_of(const sockaddr_in& address) {
   return locator;
 }
 
-/// Receives through the chain, and sends without it.
+std::uint16_t port_of(const rtps::Locator_t& at) { return static_cast<std::uint16_t>(at.port); }
+
+/// Of a packet that has come.
+struct Ends {
+  rtps::Locator_t local;
+  rtps::Locator_t remote;
+};
+
+/// Receives through the chain, or by two radios, and sends without it.
 class GuardedTransport : public ChainingTransport {
  public:
   explicit GuardedTransport(GuardedDescriptor descriptor)
@@ -74,9 +81,13 @@ class GuardedTransport : public ChainingTransport {
     return side() != nullptr && IPLocator::isMulticast(at) ? side()->group() : nullptr;
   }
   bool open(const rtps::Locator_t& at, TransportReceiverInterface* receiver, std::uint32_t largest);
-  void listen_to_second(const rtps::Locator_t& at, TransportReceiverInterface* receiver);
+  /// A packet that has waited in its socket for so long.
+  void take(TransportReceiverInterface* next, TransportSide::Packet packet, const Ends& ends,
+            Duration waited);
+  /// Null: there is one path.
+  [[nodiscard]] TwoRadios* radios() const { return side() != nullptr ? side()->radios() : nullptr; }
   void show(TransportReceiverInterface* next, const TransportSide::Packet& packet,
-            const rtps::Locator_t& local, const rtps::Locator_t& remote);
+            const Ends& ends);
 
   GuardedDescriptor descriptor_;
   Receptions receptions_;
@@ -98,9 +109,14 @@ bool GuardedTransport::OpenInputChannel(const rtps::Locator_t& at,
 /// It receives messages that are longer than those that it sends.
 bool GuardedTransport::open(const rtps::Locator_t& at, TransportReceiverInterface* receiver,
                             std::uint32_t largest) {
+  if (radios() != nullptr) {
+    radios()->start(port_of(at), [this, receiver, at](const RadioPacket& packet) {
+      take(receiver, {packet.bytes, packet.size}, {at, locator_of(packet.from)}, packet.waited);
+    });
+    return true;
+  }
   HostMulticastReceiver* const group = group_for(at);
   if (group == nullptr) {
-    listen_to_second(at, receiver);
     return ChainingTransport::OpenInputChannel(
         at, receiver, side() != nullptr ? descriptor_.parts.udp->maxMessageSize : largest);
   }
@@ -111,23 +127,13 @@ bool GuardedTransport::open(const rtps::Locator_t& at, TransportReceiverInterfac
   return true;
 }
 
-void GuardedTransport::listen_to_second(const rtps::Locator_t& at,
-                                        TransportReceiverInterface* receiver) {
-  SecondRadio* const second = side() != nullptr ? side()->second() : nullptr;
-  if (second == nullptr) return;
-  second->start(
-      static_cast<std::uint16_t>(at.port),
-      [this, receiver, at](const std::uint8_t* bytes, std::size_t size, const sockaddr_in& from) {
-        const rtps::Locator_t sender = locator_of(from);
-        if (!side()->second()->is_second(ipv4_of(sender))) return;
-        receive(receiver, bytes, static_cast<std::uint32_t>(size), at, sender);
-      });
-}
-
 bool GuardedTransport::CloseInputChannel(const rtps::Locator_t& at) {
   descriptor_.parts.reception->release();
-  SecondRadio* const second = side() != nullptr ? side()->second() : nullptr;
-  if (second != nullptr) second->stop(static_cast<std::uint16_t>(at.port));
+  if (radios() != nullptr) {
+    radios()->stop(port_of(at));
+    receptions_.close(at.port);
+    return true;
+  }
   receptions_.close(at.port);
   HostMulticastReceiver* const group = group_for(at);
   if (group == nullptr) return ChainingTransport::CloseInputChannel(at);
@@ -136,6 +142,7 @@ bool GuardedTransport::CloseInputChannel(const rtps::Locator_t& at) {
 }
 
 bool GuardedTransport::IsInputChannelOpen(const rtps::Locator_t& at) const {
+  if (radios() != nullptr) return radios()->is_open(port_of(at));
   const HostMulticastReceiver* const group = group_for(at);
   return group != nullptr ? group->is_running() : ChainingTransport::IsInputChannelOpen(at);
 }
@@ -143,30 +150,36 @@ bool GuardedTransport::IsInputChannelOpen(const rtps::Locator_t& at) const {
 void GuardedTransport::receive(TransportReceiverInterface* next, const rtps::octet* bytes,
                                std::uint32_t size, const rtps::Locator_t& local,
                                const rtps::Locator_t& remote) {
+  const Reception at = receptions_.at(local.port);
+  take(next, {bytes, size}, {local, remote}, at.socket ? at.socket->of_last() : Duration{0});
+}
+
+void GuardedTransport::take(TransportReceiverInterface* next, TransportSide::Packet packet,
+                            const Ends& ends, Duration waited) {
   std::unique_lock<std::mutex> turn;
   std::vector<std::uint8_t> changed;
-  TransportSide::Packet packet{bytes, size};
+  Ends known = ends;
   if (side() != nullptr) {
-    turn = side()->turn(local);
-    packet = side()->received(packet, remote, changed);
+    turn = side()->turn(ends.local);
+    packet = side()->received(packet, ends.remote, changed);
     if (packet.second == 0) return;
+    known.remote = side()->known_as(ends.remote);
   }
-  const Reception at = receptions_.at(local.port);
-  const HandingOn handing_on(at.socket ? at.socket->of_last() : Duration{0});
+  const HandingOn handing_on(waited);
   std::optional<ActivityTurn> seen;
-  if (at.activity) seen.emplace(*at.activity);
+  if (const auto activity = receptions_.at(ends.local.port).activity) seen.emplace(*activity);
   descriptor_.parts.reception->wait();
-  show(next, packet, local, side() != nullptr ? side()->known_as(remote) : remote);
+  show(next, packet, known);
 }
 
 void GuardedTransport::show(TransportReceiverInterface* next, const TransportSide::Packet& packet,
-                            const rtps::Locator_t& local, const rtps::Locator_t& remote) {
+                            const Ends& ends) {
   std::vector<std::uint8_t> changed;
   descriptor_.parts.filter->pass(
-      packet.first, packet.second, remote, PacketFilter::kind_of(local.port),
+      packet.first, packet.second, ends.remote, PacketFilter::kind_of(ends.local.port),
       [&](const rtps::octet* shown, std::size_t length) {
         const auto [message, size] = with_key_onlys(shown, length, changed);
-        next->OnDataReceived(message, static_cast<std::uint32_t>(size), local, remote);
+        next->OnDataReceived(message, static_cast<std::uint32_t>(size), ends.local, ends.remote);
       });
 }
 

@@ -18,7 +18,7 @@ namespace tocsin {
 
 class HostMulticastReceiver;
 class PacketFilter;
-class SecondRadio;
+class TwoRadios;
 
 /// What is particular to the transport of a participant on its host, or on the link.
 class TransportSide {
@@ -37,8 +37,8 @@ class TransportSide {
                                         std::vector<std::uint8_t>& changed) = 0;
   /// Held while a packet that came to `local` is handed on.
   [[nodiscard]] virtual std::unique_lock<std::mutex> turn(const Locator& /*local*/) { return {}; }
-  /// What receives by a second path; null: there is one.
-  [[nodiscard]] virtual SecondRadio* second() { return nullptr; }
+  /// What receives by two paths; null: there is one.
+  [[nodiscard]] virtual TwoRadios* radios() { return nullptr; }
   /// Where a sender is, as Fast DDS knows it.
   [[nodiscard]] virtual Locator known_as(const Locator& from) const { return from; }
   /// What receives multicast; null: nothing does.

@@ -39,7 +39,8 @@ class RadioSender : public rtps::SenderResource {
  public:
   RadioSender(const std::string& address, RadioParts parts)
       : SenderResource(LOCATOR_KIND_UDPv4),
-        sockets_{std::make_unique<RadioSocket>(address), second_socket(parts)},
+        sockets_{std::make_unique<RadioSocket>(address, parts.radios != nullptr),
+                 second_socket(parts)},
         parts_(std::move(parts)),
         thread_([this] { run(); }) {
     pthread_setname_np(thread_.native_handle(), "link_discovery");
@@ -62,7 +63,8 @@ class RadioSender : public rtps::SenderResource {
  private:
   using Way = RadioMarks::Way;
   static std::unique_ptr<RadioSocket> second_socket(const RadioParts& parts) {
-    return parts.second ? std::make_unique<RadioSocket>(parts.second->address(), true) : nullptr;
+    return parts.radios ? std::make_unique<RadioSocket>(parts.radios->second_address(), true)
+                        : nullptr;
   }
   bool send_to_all(const rtps::octet* bytes, std::size_t whole, rtps::LocatorsIterator& next,
                    const rtps::LocatorsIterator& last) {
@@ -116,13 +118,14 @@ class RadioSender : public rtps::SenderResource {
     note_header(bytes, size);
     return send_ways(bytes, size, to, way);
   }
+  /// Whether one of the paths took it: Fast DDS holds back what follows one that none took.
   bool send_ways(const rtps::octet* bytes, std::size_t size, const rtps::Locator_t& to,
                  const Way& way) {
-    bool all = true;
-    if (way.paths[0]) all = send_by(0, {bytes, size}, to, way.dscp);
-    const auto second = way.paths[1] && parts_.second ? parts_.second->second_of(to) : std::nullopt;
-    if (second) all = send_by(1, {bytes, size}, *second, way.dscp) && all;
-    return all;
+    bool any = false;
+    if (way.paths[0]) any = send_by(0, {bytes, size}, to, way.dscp);
+    const auto second = way.paths[1] && parts_.radios ? parts_.radios->second_of(to) : std::nullopt;
+    if (second) any = send_by(1, {bytes, size}, *second, way.dscp) || any;
+    return any;
   }
   bool send_by(PathIndex path, const TransportSide::Packet& packet, const rtps::Locator_t& to,
                int dscp) {
@@ -148,7 +151,7 @@ class RadioSender : public rtps::SenderResource {
       for (const auto& bytes : parts_.stop->due(peer, now)) {
         for (const rtps::Locator_t& to : parts_.stop_peers) {
           if (ipv4_of(to) != peer) continue;
-          const PathIndex path = parts_.second && parts_.second->is_second(peer) ? 1 : 0;
+          const PathIndex path = parts_.radios && parts_.radios->is_second(peer) ? 1 : 0;
           const int dscp = parts_.marks->mark_stop(header_.size() + bytes.size(), path);
           (void)sockets_[path]->send(header_.data(), header_.size(), to, dscp, bytes);
         }
@@ -255,11 +258,11 @@ class RadioSide final : public TransportSide {
                               std::chrono::steady_clock::now(), wall_now_ns() / 1'000'000'000)};
   }
   [[nodiscard]] Locator known_as(const Locator& from) const override {
-    return parts_.second ? parts_.second->first_of(from).value_or(from) : from;
+    return parts_.radios ? parts_.radios->first_of(from).value_or(from) : from;
   }
-  [[nodiscard]] SecondRadio* second() override { return parts_.second.get(); }
+  [[nodiscard]] TwoRadios* radios() override { return parts_.radios.get(); }
   [[nodiscard]] std::unique_lock<std::mutex> turn(const Locator& local) override {
-    if (!parts_.second) return {};
+    if (!parts_.radios) return {};
     return std::unique_lock<std::mutex>(turns_[local.port % 2]);
   }
   [[nodiscard]] std::uint32_t message_bytes() const override {

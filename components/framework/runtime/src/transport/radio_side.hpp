@@ -11,8 +11,8 @@
 #include "rtps/other_vendors.hpp"
 #include "transport/guarded_transport.hpp"
 #include "transport/radio_marks.hpp"
-#include "transport/second_radio.hpp"
 #include "transport/stop_channel.hpp"
+#include "transport/two_radios.hpp"
 
 namespace tocsin {
 
@@ -24,7 +24,7 @@ struct RadioParts {
   std::shared_ptr<StopChannel> stop;               ///< null: no emergency stop
   /// Where packets of its own go, by each path.
   std::vector<eprosima::fastrtps::rtps::Locator_t> stop_peers;
-  std::shared_ptr<SecondRadio> second;  ///< null: there is one path
+  std::shared_ptr<TwoRadios> radios;  ///< null: there is one path
 };
 
 /// UDP on the link: it sends through a socket of its own from `address`, each packet with the code

@@ -50,6 +50,8 @@ SocketWait::SocketWait(std::uint16_t port) : socket_(own_socket_at(port)) {
   (void)of_last();  // from the first question on the kernel notes it
 }
 
+SocketWait::SocketWait(const FileDescriptor& socket) : socket_(socket.get()) { (void)of_last(); }
+
 Duration SocketWait::of_last() const {
   timespec came{};
   if (socket_ < 0 || ::ioctl(socket_, SIOCGSTAMPNS, &came) != 0) return Duration{0};

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "foundation/file_descriptor.hpp"
 #include "foundation/time.hpp"
 
 namespace tocsin {
@@ -14,6 +15,7 @@ class SocketWait {
  public:
   /// The socket must be open by then, and stays so as long as this is asked.
   explicit SocketWait(std::uint16_t port);
+  explicit SocketWait(const FileDescriptor& socket);
   /// Of the packet that was read last; to be asked by who read it. Zero where that is not known.
   [[nodiscard]] Duration of_last() const;
 

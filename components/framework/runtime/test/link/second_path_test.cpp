@@ -90,11 +90,42 @@ TEST_F(SecondPathTest, WhenTheFirstInterfaceGoesTheSecondCarriesSamplesDiscovery
   EXPECT_TRUE(eventually([&] { return far->stop_number() == 77; }));
   const Endpoint high{{"low", "state", Scope::link}, &type_info<std_msgs::msg::String>()};
   const std::size_t flows = far->peer_flows().size();
-  const auto another = process->advertise(high);
+  const auto another_process = make_fast_dds_bus(left());
+  const auto another = another_process->advertise(high);
   EXPECT_TRUE(eventually([&] { return far->peer_flows().size() > flows; })) << "by discovery";
   ASSERT_TRUE(plug("10.9.0") && give_carrier());
   near.take_path(0);
   EXPECT_TRUE(crosses(*writer, *far)) << "the first is back";
+}
+
+TEST_F(SecondPathTest, TheSecondInterfaceIsEnoughToFindEachOtherAndTheFirstMayComeLater) {
+  ASSERT_TRUE(run("link del left"));
+  ASSERT_TRUE(give_carrier("2"));
+  Relay near(left());
+  const auto far = right_router(right());
+  const auto process = make_fast_dds_bus(left());
+  const auto writer = process->advertise(low_topic);
+  near.take_path(1);
+  ASSERT_TRUE(crosses(*writer, *far));
+  near.take_path(0);
+  EXPECT_TRUE(stays_away(*writer, *far));
+  ASSERT_TRUE(plug("10.9.0") && give_carrier());
+  EXPECT_TRUE(crosses(*writer, *far));
+}
+
+TEST_F(SecondPathTest, APacketIsOfTheAgeThatItsOwnSocketSays) {
+  ASSERT_TRUE(give_carrier("2"));
+  Relay near(left());
+  const auto far = right_router(right());
+  const auto process = make_fast_dds_bus(left());
+  const auto writer = process->advertise(low_topic);
+  near.take_path(1);
+  ASSERT_TRUE(crosses(*writer, *far));
+  near.take_path(0);
+  std::this_thread::sleep_for(std::chrono::seconds(1));  // nothing comes by the second
+  ASSERT_TRUE(crosses(*writer, *far));
+  const auto waited = std::chrono::steady_clock::now() - far->crossed().back().received;
+  EXPECT_LT(waited, std::chrono::milliseconds(500));
 }
 
 TEST_F(SecondPathTest, APacketOfNoPeerIsNotReceivedThere) {

@@ -54,7 +54,7 @@ class Examiner {
     if (host.second) {
       add(equipment_.is_running(host.second->address),
           host.name + ": second address " + host.second->address,
-          "no interface with carrier has it", "the link goes by the first path alone until then");
+          "no interface with carrier has it", "the link goes by the other path alone until then");
     }
     for (const deployment::Container& container : host.containers) {
       for (const auto& component : container.components) look_at(host.name, component);

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "transport/two_radios.hpp"
+
+#include <arpa/inet.h>
+#include <fastrtps/utils/IPLocator.h>
+#include <pthread.h>
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include "foundation/error.hpp"
+#include "foundation/file_descriptor.hpp"
+#include "transport/radio_socket.hpp"
+#include "transport/socket_wait.hpp"
+#include "transport/stop_channel.hpp"
+
+namespace tocsin {
+namespace {
+
+namespace rtps = eprosima::fastrtps::rtps;
+constexpr std::size_t datagram_room = 65'536;
+
+std::optional<rtps::Locator_t> moved(const std::map<std::uint32_t, std::uint32_t>& addresses,
+                                     const rtps::Locator_t& from) {
+  const auto found = addresses.find(ipv4_of(from));
+  if (found == addresses.end()) return std::nullopt;
+  rtps::Locator_t to = from;
+  const in_addr address{htonl(found->second)};
+  rtps::IPLocator::setIPv4(to, reinterpret_cast<const rtps::octet*>(&address));
+  return to;
+}
+
+}  // namespace
+
+/// A port of one path.
+class TwoRadios::Port {
+ public:
+  Port(const std::string& address, std::uint16_t number, OnPacket on_packet)
+      : socket_(radio_socket(address, number, true)), on_packet_(std::move(on_packet)) {
+    if (!socket_) {
+      throw EnvironmentError("UDP " + address + ":" + std::to_string(number) +
+                             ", a path over the link, cannot be listened to: " +
+                             std::generic_category().message(errno));
+    }
+    thread_ = std::thread([this] { run(); });
+    pthread_setname_np(thread_.native_handle(), "radio_path");
+  }
+  ~Port() {
+    stopping_ = true;
+    (void)::shutdown(socket_.get(), SHUT_RD);  // wakes the thread
+    thread_.join();
+  }
+  Port(const Port&) = delete;
+  Port& operator=(const Port&) = delete;
+
+ private:
+  void run() const {
+    const SocketWait wait(socket_);
+    std::vector<std::uint8_t> bytes(datagram_room);
+    while (!stopping_) {
+      sockaddr_in from{};
+      socklen_t from_size = sizeof from;
+      const ssize_t size = ::recvfrom(socket_.get(), bytes.data(), bytes.size(), 0,
+                                      reinterpret_cast<sockaddr*>(&from), &from_size);
+      if (size <= 0) continue;
+      on_packet_({bytes.data(), static_cast<std::size_t>(size), from, wait.of_last()});
+    }
+  }
+  const FileDescriptor socket_;
+  const OnPacket on_packet_;
+  std::atomic<bool> stopping_{false};
+  std::thread thread_;
+};
+
+TwoRadios::TwoRadios(const TwoRadiosPlace& place)
+    : first_address_(place.first_address), second_address_(place.second_address) {
+  const auto firsts = ipv4_addresses(place.first_peers);
+  const auto seconds = ipv4_addresses(place.second_peers);
+  for (std::size_t i = 0; i < std::min(firsts.size(), seconds.size()); ++i) {
+    seconds_[firsts[i]] = seconds[i];
+    firsts_[seconds[i]] = firsts[i];
+  }
+}
+
+TwoRadios::~TwoRadios() = default;
+
+void TwoRadios::start(std::uint16_t port, const OnPacket& on_packet) {
+  auto& both = ports_[port];
+  both.push_back(std::make_unique<Port>(first_address_, port, on_packet));
+  both.push_back(
+      std::make_unique<Port>(second_address_, port, [this, on_packet](const RadioPacket& packet) {
+        if (is_second(ntohl(packet.from.sin_addr.s_addr))) on_packet(packet);
+      }));
+}
+
+void TwoRadios::stop(std::uint16_t port) { ports_.erase(port); }
+
+std::optional<TwoRadios::Locator> TwoRadios::second_of(const Locator& first) const {
+  return moved(seconds_, first);
+}
+
+std::optional<TwoRadios::Locator> TwoRadios::first_of(const Locator& second) const {
+  return moved(firsts_, second);
+}
+
+}  // namespace tocsin

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <fastdds/rtps/common/Locator.h>
+#include <netinet/in.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "foundation/time.hpp"
+
+namespace tocsin {
+
+/// Where the two paths of a router go.
+struct TwoRadiosPlace {
+  std::string first_address;              ///< IPv4 of its interface, which may come later
+  std::string second_address;             ///< the same
+  std::vector<std::string> first_peers;   ///< IPv4 of the peers by the first path
+  std::vector<std::string> second_peers;  ///< the same peers by the second, in the same order
+};
+
+/// A packet as it came to a port.
+struct RadioPacket {
+  const std::uint8_t* bytes;
+  std::size_t size;
+  sockaddr_in from;
+  Duration waited;  ///< in the socket, see SocketWait
+};
+
+/// Receives what the peers send by two paths, on sockets of its own, which need no interface yet.
+/// Fast DDS knows the first path alone: a peer is where its first address is, and its ports are the
+/// same on both.
+class TwoRadios {
+ public:
+  using Locator = eprosima::fastrtps::rtps::Locator_t;
+  /// Called by a thread of the port and path.
+  using OnPacket = std::function<void(const RadioPacket&)>;
+
+  explicit TwoRadios(const TwoRadiosPlace& place);
+  ~TwoRadios();
+  TwoRadios(const TwoRadios&) = delete;
+  TwoRadios& operator=(const TwoRadios&) = delete;
+
+  /// Of the second path, packets of peers only. Throws EnvironmentError when the port is taken.
+  void start(std::uint16_t port, const OnPacket& on_packet);
+  /// Returns when the port's threads have ended.
+  void stop(std::uint16_t port);
+  [[nodiscard]] bool is_open(std::uint16_t port) const { return ports_.count(port) != 0; }
+
+  /// A peer's place by the other path; nothing when it is no peer's on that one.
+  [[nodiscard]] std::optional<Locator> second_of(const Locator& first) const;
+  [[nodiscard]] std::optional<Locator> first_of(const Locator& second) const;
+  [[nodiscard]] bool is_second(std::uint32_t address) const { return firsts_.count(address) != 0; }
+  [[nodiscard]] const std::string& second_address() const { return second_address_; }
+
+ private:
+  class Port;
+  const std::string first_address_;
+  const std::string second_address_;
+  std::map<std::uint32_t, std::uint32_t> seconds_;  ///< addresses, host order, by the first ones
+  std::map<std::uint32_t, std::uint32_t> firsts_;
+  std::map<std::uint16_t, std::vector<std::unique_ptr<Port>>> ports_;
+};
+
+}  // namespace tocsin
