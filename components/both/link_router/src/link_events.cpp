@@ -131,7 +131,14 @@ void LinkEvents::on(const link_event::PeerFlow& event, Instant at) {
                                     [&](const auto& one) { return one->takes(event.what.topic); });
   flow.service = service->get();
   flow.service->on_remote_flow(flow, at);
+  part_from(flow.id);
   join_paths();
+}
+
+void LinkEvents::part_from(FlowId first) {
+  for (auto& entry : second_) {
+    if (entry.second.first == first) entry.second.first.reset();
+  }
 }
 
 void LinkEvents::join_paths() {
@@ -168,9 +175,7 @@ void LinkEvents::on(const link_event::PeerFlowGone& event, Instant) {
   if (found == remote_.end()) return;
   found->second.service->on_remote_flow_gone(found->second);
   compressed_.forget(event.flow);
-  for (auto& entry : second_) {
-    if (entry.second.first == event.flow) entry.second.first.reset();
-  }
+  part_from(event.flow);
   remote_.erase(found);
 }
 

@@ -50,6 +50,7 @@ class LinkEvents {
   void on(const link_event::LinkSample& sample, Instant at);
   /// Flows of the second path belong to those of the first that they are equal to.
   void join_paths();
+  void part_from(FlowId first);
   /// Whether it was one of the second path.
   bool forget_second(FlowId flow);
   void give(const RemoteFlow& flow, link_event::LinkSample event, Instant at);

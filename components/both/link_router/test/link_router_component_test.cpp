@@ -175,6 +175,16 @@ TEST_F(TwoPathRouterTest, AFlowOfTheSecondPathAloneWaitsForTheFirstAndOutlivesIt
   EXPECT_EQ(script_.delivered.size(), 2U);
 }
 
+TEST_F(TwoPathRouterTest, FlowsThatAreToldOfAgainStayJoined) {
+  begin_peer_flow("goal");
+  begin_second("goal");
+  begin_second("goal");
+  begin_peer_flow("goal");
+  receive_by(second_flow, 1, 10);
+  ASSERT_EQ(script_.delivered.size(), 1U);
+  EXPECT_EQ(script_.delivered[0].flow, peer_flow);
+}
+
 TEST_F(TwoPathRouterTest, ReportsBothPaths) {
   run(1.1);
   const auto state = host_->states.take().back();

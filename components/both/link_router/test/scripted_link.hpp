@@ -64,7 +64,7 @@ class ScriptedLink {
   std::set<FlowId> wanted;              ///< of the host, on demand
   int wants = 0;                        ///< calls that said so, or that they are not
   std::map<FlowId, Flow> offered_here;  ///< flows that are no peer's
-  std::size_t paths = 1;
+  PathIndex paths = 1;
   std::vector<bool> gate;            ///< each time that it changed: open
   std::vector<std::uint64_t> bases;  ///< of what was to be restored; 0: none
   bool damaged = false;              ///< what comes compressed
@@ -88,7 +88,7 @@ class ScriptedLinkBus final : public LinkBus {
     return event;
   }
   [[nodiscard]] PeerId self() const override { return ScriptedLink::own_instance; }
-  [[nodiscard]] std::size_t paths() const override { return script_.paths; }
+  [[nodiscard]] PathIndex paths() const override { return script_.paths; }
   void want(FlowId host_flow, bool wanted) override {
     ++script_.wants;
     wanted ? (void)script_.wanted.insert(host_flow) : (void)script_.wanted.erase(host_flow);

@@ -44,9 +44,7 @@ class SimLinkBus final : public LinkBus {
   [[nodiscard]] PeerId self() const override { return life_; }
   void want(FlowId host_flow, bool wanted) override;
   FlowId open(const Flow& flow, TrafficClass traffic_class) override;
-  [[nodiscard]] std::size_t paths() const override {
-    return network_.second_link != nullptr ? 2 : 1;
-  }
+  [[nodiscard]] PathIndex paths() const override { return network_.second_link != nullptr ? 2 : 1; }
   [[nodiscard]] std::uint32_t wire_id(FlowId flow, PathIndex path) const override {
     return wire_of(flow, path);
   }

@@ -38,15 +38,26 @@ std::vector<double> capacities(const Recording& recording) {
   return all;
 }
 
+/// [ms] of backlog: how high the time on the second path is shaded.
+constexpr double second_mark = 50;
+
 /// The capacity of the sides that measured it, as pictures let the vehicle do, and the backlog of
 /// both. A few high estimates, as of a run's first packets, do not flatten the scale: it ends at
 /// twice the 95th percentile where the highest is more, and the label says what is cut.
 json link_panel(const Recording& recording) {
+  const auto by_second = [](const RouterState& one) { return one.by_second; };
   json lines = json::array();
   for (const auto& [role, states] : recording.routers) {
     const std::string side = to_string(role);
     lines.push_back(line(side + " capacity", states, recording.begin_s,
                          [](const RouterState& one) { return one.capacity_bytes_per_s * 8e-3; }));
+    if (std::any_of(states.begin(), states.end(), by_second)) {
+      json second = line(side + " by its second path", states, recording.begin_s,
+                         [](const RouterState& one) { return one.by_second ? second_mark : 0; });
+      second["style"] = "area";
+      second["right"] = true;
+      lines.push_back(second);
+    }
     json backlog = line(side + " backlog", states, recording.begin_s,
                         [](const RouterState& one) { return one.backlog_s * 1e3; });
     backlog["right"] = true;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 
@@ -117,6 +118,14 @@ void add_path(RunTables& run, Recording& recording) {
   }
 }
 
+/// `paths`: the list of a link_state, as JSON; empty before there was one.
+bool is_by_second(const std::string& paths) {
+  const auto both = nlohmann::json::parse(paths, nullptr, false);
+  if (!both.is_array() || both.size() != 2 || !both[1].is_object()) return false;
+  const auto chosen = both[1].find("chosen");
+  return chosen != both[1].end() && (*chosen == 1 || *chosen == true);
+}
+
 /// What the router of a role told, as its own side recorded it, else as the other one did.
 void add_router(Role role, RunTables& run, Recording& recording) {
   const Role other = role == Role::uxv ? Role::gcs : Role::uxv;
@@ -128,7 +137,7 @@ void add_router(Role role, RunTables& run, Recording& recording) {
       const bool measured = table.number(row, "capacity_measured") == 1;
       recording.routers[role].push_back(
           {time_s, measured ? table.number(row, "capacity_bytes_per_s") : std::nan(""),
-           table.number(row, "backlog_s")});
+           table.number(row, "backlog_s"), is_by_second(table.text(row, "paths"))});
     }
     if (recording.routers.count(role) != 0) return;
   }

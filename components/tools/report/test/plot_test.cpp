@@ -58,6 +58,26 @@ TEST_F(PlotTest, CapacityAndBacklogAreThoseThatEachSideRecordedOfItself) {
   EXPECT_EQ(sut[3]["x"], json::array({3.0}));
 }
 
+TEST_F(PlotTest, ShadesWhenTheSecondOfTwoPathsIsInUse) {
+  const auto row = [](int second, const char* first_chosen, const char* second_chosen) {
+    const std::string time = std::to_string(1000 + second);
+    return time + "," + time + ",uxv,250000,0.02,1,\"[{\"\"chosen\"\":" + first_chosen +
+           "},{\"\"chosen\"\":" + second_chosen + "}]\"\n";
+  };
+  const std::string head =
+      "receive_s,send_s,role,capacity_bytes_per_s,backlog_s,capacity_measured,paths\n";
+  run_.write("uxv/link_state.csv",
+             head + row(1, "true", "false") + row(2, "false", "true") + row(3, "1", "0"));
+  const json sut = lines(1);
+  ASSERT_EQ(sut.size(), 3U);
+  EXPECT_EQ(sut[1]["name"], "uxv by its second path");
+  EXPECT_EQ(sut[1]["y"], (json{0.0, 50.0, 0.0}));
+  run_.write("uxv/link_state.csv", head + row(1, "true", "false"));
+  EXPECT_EQ(lines(1).size(), 2U) << "it was never in use";
+  run_.write("uxv/link_state.csv", head + "1001,1001,uxv,250000,0.02,1,{]\n");
+  EXPECT_EQ(lines(1).size(), 2U);
+}
+
 /// 100 s of router states of a vehicle that measures 2000 kbit/s, but `first` in the first second.
 std::string link_states(int first_bytes_per_s) {
   std::string text = link_head;

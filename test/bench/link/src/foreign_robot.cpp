@@ -150,7 +150,8 @@ class Listener : public dds::DataReaderListener {
     if (sent_ns < log_.from_ns || sent_ns >= log_.until_ns) return;
     const std::uint32_t at = own_.arrived.load();
     if (at == StreamLog::most) return;
-    own_.latency_ns[at] = wall_now_ns() - sent_ns;
+    own_.arrived_ns[at] = wall_now_ns();
+    own_.latency_ns[at] = own_.arrived_ns[at] - sent_ns;
     own_.bytes.fetch_add(bytes.size());
     own_.arrived.store(at + 1);
   }

@@ -38,6 +38,7 @@ struct StreamLog {
   std::atomic<std::uint32_t> arrived{0};        ///< of those that were written within the window
   std::atomic<std::uint64_t> bytes{0};          ///< [byte] of these, serialised
   std::array<std::int64_t, most> latency_ns{};  ///< of these, in the order of arrival
+  std::array<std::int64_t, most> arrived_ns{};  ///< [ns] since the epoch
 };
 
 /// Of one run, in memory that the processes share.

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <sys/mman.h>
 
+#include <algorithm>
 #include <chrono>
 #include <new>
 #include <stdexcept>
@@ -58,17 +59,29 @@ class SharedLog {
   RobotLog* log_;
 };
 
+/// [s] within the window, its ends included.
+double longest_gap_s(const StreamLog& own, const RobotLog& log) {
+  std::int64_t last_ns = log.from_ns;
+  std::int64_t longest_ns = 0;
+  for (std::uint32_t k = 0; k < own.arrived; ++k) {
+    longest_ns = std::max(longest_ns, own.arrived_ns[k] - last_ns);
+    last_ns = own.arrived_ns[k];
+  }
+  return 1e-9 * static_cast<double>(std::max(longest_ns, log.until_ns - last_ns));
+}
+
 void print(const char* way, const RobotLog& log, int run_s) {
   for (std::size_t i = 0; i < bench::streams.size(); ++i) {
     const StreamLog& own = log.of[i];
     bench::Series latency;
     for (std::uint32_t k = 0; k < own.arrived; ++k) latency.add(own.latency_ns[k]);
     const double written = std::max(1U, own.written.load());
-    fmt::print("{:<7} {:<33} {:<9} {:6.1f} {:6.1f} {:6.1f} {:6.1f} {:7.0f} {:7.0f}\n", way,
+    fmt::print("{:<7} {:<33} {:<9} {:6.1f} {:6.1f} {:6.1f} {:6.1f} {:7.0f} {:7.0f} {:6.2f}\n", way,
                bench::streams[i].topic, bench::streams[i].traffic_class, written / run_s,
                static_cast<double>(own.arrived) / run_s, 100 * own.arrived / written,
                100.0 * latency.above(late_ns) / std::max(1U, own.arrived.load()),
-               1e-6 * latency.percentile(0.5), 1e-6 * latency.percentile(0.95));
+               1e-6 * latency.percentile(0.5), 1e-6 * latency.percentile(0.95),
+               longest_gap_s(own, log));
   }
 }
 
@@ -132,9 +145,9 @@ void measure(const Trial& trial) {
     return stack.logged("gcs is on the link") && stack.logged("uxv is on the link");
   };
   if (!Stack::eventually(seconds(60), meet)) throw std::runtime_error(stack.output());
-  fmt::print("{}, {}, {} s each\n{:<7} {:<33} {:<9} {:>6} {:>6} {:>6} {:>6} {:>7} {:>7}\n",
+  fmt::print("{}, {}, {} s each\n{:<7} {:<33} {:<9} {:>6} {:>6} {:>6} {:>6} {:>7} {:>7} {:>6}\n",
              trial.channel, trial.position, trial.seconds, "way", "topic", "class", "Hz", "come Hz",
-             "come %", "late %", "p50 ms", "p95 ms");
+             "come %", "late %", "p50 ms", "p95 ms", "gap s");
   const Cost routed = measure_one(stack, trial, "router", {0}, {1});
   const Cost direct =
       measure_one(stack, trial, "direct", {direct_domain, station}, {direct_domain, vehicle});

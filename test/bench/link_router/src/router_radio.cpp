@@ -61,7 +61,7 @@ void RouterRadio::add_stream(std::size_t side, router::StreamId stream,
                              const router::StreamRule& rule, Time now) {
   senders_[side]->add_stream(stream, rule);
   senders_[side]->set_wanted(peer, stream, true, now);
-  for (PathIndex path = 0; path < channels_.size(); ++path) {
+  for (PathIndex path = 0; path < paths(); ++path) {
     receivers_[1 - side]->on_stream(peer, wire_of(stream, path), rule, path);
   }
   classes_[stream] = rule.traffic_class;
@@ -105,7 +105,7 @@ void RouterRadio::serve(Time now) {
   for (std::size_t side = 0; side < 2; ++side) {
     while (const auto one = senders_[side]->next(now)) send(side, *one, now);
     while (const auto acknowledgement = receivers_[side]->take_acknowledgement(now)) {
-      for (PathIndex path = 0; path < channels_.size(); ++path) {
+      for (PathIndex path = 0; path < paths(); ++path) {
         if (!acknowledgement->paths[path]) continue;
         send(side, by_stream(acknowledgement->acknowledgement), path, now);
       }
@@ -123,7 +123,7 @@ Time RouterRadio::next_event(Time now) const {
 }
 
 void RouterRadio::advance(Time now, const Deliver& deliver) {
-  for (PathIndex path = 0; path < channels_.size(); ++path) advance(path, now, deliver);
+  for (PathIndex path = 0; path < paths(); ++path) advance(path, now, deliver);
 }
 
 void RouterRadio::advance(PathIndex path, Time now, const Deliver& deliver) {

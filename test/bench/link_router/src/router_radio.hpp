@@ -77,6 +77,7 @@ class RouterRadio {
     router::TransmissionNumber number = 0;
     PathIndex path = 0;
   };
+  [[nodiscard]] PathIndex paths() const { return static_cast<PathIndex>(channels_.size()); }
   void advance(PathIndex path, Time now, const Deliver& deliver);
   void send(Cargo cargo, const std::vector<std::size_t>& packets, Time now);
   void send(std::size_t side, const router::Transmission& one, Time now);

@@ -84,6 +84,49 @@ radio::ChannelParams unplugged(radio::ChannelParams params, const MissionTraffic
   return params;
 }
 
+/// The runs of one seed, a row each.
+class SeedRuns {
+ public:
+  SeedRuns(const MissionTraffic& traffic, int seed)
+      : traffic_(traffic), seed_(static_cast<std::uint64_t>(seed)) {}
+
+  void run(double shared, const radio::ChannelParams& modem, std::vector<Row>& rows, Phi& phi) {
+    rows_ = rows.begin();
+    add();
+    radio::ChannelParams other = traffic_.channel;
+    other.shared_shadowing = shared;
+    const auto alone = critical_misses(traffic_, steps_, seed_);
+    steps_.first = other;
+    phi.add(alone, critical_misses(traffic_, steps_, seed_));
+    steps_.first.reset();
+    steps_.second = other;
+    for (const PathUse use : {PathUse::best, PathUse::repair, PathUse::both}) {
+      steps_.urgent = use;
+      add();
+    }
+    steps_.urgent = PathUse::repair;
+    add_unplugged();
+    steps_.second = modem;
+    steps_.params.second_bytes_per_s = 125000;
+    add();
+    add_unplugged();
+  }
+
+ private:
+  void add() { (rows_++)->runs.push_back(run_link(traffic_, steps_, seed_)); }
+  void add_unplugged() {
+    steps_.first = unplugged(traffic_.channel, traffic_);
+    steps_.unplugged = traffic_.begin + (traffic_.end - traffic_.begin) / 2;
+    add();
+    steps_.first.reset();
+    steps_.unplugged.reset();
+  }
+  const MissionTraffic& traffic_;
+  const std::uint64_t seed_;
+  Steps steps_;
+  std::vector<Row>::iterator rows_;
+};
+
 void run_mission(bool b, int seeds, double duration_s, double shared) {
   std::vector<Row> rows{{"one path"},
                         {"two, best"},
@@ -96,33 +139,7 @@ void run_mission(bool b, int seeds, double duration_s, double shared) {
   const radio::ChannelParams modem = radio::load_channel(share() + "/config/radio/modem.yaml");
   for (int seed = 1; seed <= seeds; ++seed) {
     const auto traffic = record_mission({b, false, "none", seed, duration_s});
-    const auto radio_seed = static_cast<std::uint64_t>(seed);
-    radio::ChannelParams other = traffic.channel;
-    other.shared_shadowing = shared;
-    Steps steps;
-    rows[0].runs.push_back(run_link(traffic, steps, radio_seed));
-    const auto alone = critical_misses(traffic, steps, radio_seed);
-    steps.first = other;
-    phi.add(alone, critical_misses(traffic, steps, radio_seed));
-    steps.first.reset();
-    steps.second = other;
-    std::size_t row = 1;
-    for (const PathUse use : {PathUse::best, PathUse::repair, PathUse::both}) {
-      steps.urgent = use;
-      rows[row++].runs.push_back(run_link(traffic, steps, radio_seed));
-    }
-    steps.urgent = PathUse::repair;
-    steps.first = unplugged(traffic.channel, traffic);
-    steps.unplugged = traffic.begin + (traffic.end - traffic.begin) / 2;
-    rows[row++].runs.push_back(run_link(traffic, steps, radio_seed));
-    steps.first.reset();
-    steps.unplugged.reset();
-    steps.second = modem;
-    steps.params.second_bytes_per_s = 125000;
-    rows[row++].runs.push_back(run_link(traffic, steps, radio_seed));
-    steps.first = unplugged(traffic.channel, traffic);
-    steps.unplugged = traffic.begin + (traffic.end - traffic.begin) / 2;
-    rows[row++].runs.push_back(run_link(traffic, steps, radio_seed));
+    SeedRuns(traffic, seed).run(shared, modem, rows, phi);
   }
   const double one_kb_per_s = mean_of(rows[0].runs, &Figures::critical_kb_per_s).mean;
   for (const Row& row : rows) print(b ? "B" : "A", row, one_kb_per_s);

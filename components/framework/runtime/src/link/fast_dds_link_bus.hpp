@@ -45,9 +45,7 @@ class FastDdsLinkBus final : public LinkBus {
   }
   void want(FlowId host_flow, bool wanted) override;
   FlowId open(const Flow& flow, TrafficClass traffic_class) override;
-  [[nodiscard]] std::size_t paths() const override {
-    return options_.second_address.empty() ? 1 : 2;
-  }
+  [[nodiscard]] PathIndex paths() const override { return options_.second_address.empty() ? 1 : 2; }
   [[nodiscard]] std::uint32_t wire_id(FlowId flow, PathIndex path) const override;
   void close(FlowId flow) override;
   [[nodiscard]] std::optional<std::uint64_t> send(FlowId flow, const CarriedSample& sample,

@@ -148,14 +148,15 @@ class RadioSender : public rtps::SenderResource {
   void send_stops(Time now) {
     if (!parts_.stop || !has_header_.load(std::memory_order_acquire)) return;
     for (const std::uint32_t peer : parts_.stop->peers()) {
-      for (const auto& bytes : parts_.stop->due(peer, now)) {
-        for (const rtps::Locator_t& to : parts_.stop_peers) {
-          if (ipv4_of(to) != peer) continue;
-          const PathIndex path = parts_.radios && parts_.radios->is_second(peer) ? 1 : 0;
-          const int dscp = parts_.marks->mark_stop(header_.size() + bytes.size(), path);
-          (void)sockets_[path]->send(header_.data(), header_.size(), to, dscp, bytes);
-        }
-      }
+      for (const auto& bytes : parts_.stop->due(peer, now)) send_stop(peer, bytes);
+    }
+  }
+  void send_stop(std::uint32_t peer, const StopChannel::Bytes& bytes) {
+    const PathIndex path = parts_.radios && parts_.radios->is_second(peer) ? 1 : 0;
+    for (const rtps::Locator_t& to : parts_.stop_peers) {
+      if (ipv4_of(to) != peer) continue;
+      const int dscp = parts_.marks->mark_stop(header_.size() + bytes.size(), path);
+      (void)sockets_[path]->send(header_.data(), header_.size(), to, dscp, bytes);
     }
   }
   void send_repeats(Time now) {

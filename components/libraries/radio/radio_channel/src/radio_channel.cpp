@@ -40,6 +40,7 @@ RadioChannel::RadioChannel(const ChannelParams& params, std::vector<geometry::Wa
       outages_(params.outages_s, start),
       medium_(params, propagation_, outages_, seed_, start),
       packet_loss_(params, seed_, start),
+      jitter_(seed_, 8),
       reported_at_(start) {}
 
 void RadioChannel::configure(const ChannelParams& params) {
@@ -92,13 +93,22 @@ void RadioChannel::push_radio(Direction direction, const AirFrame& frame, Time n
 
 void RadioChannel::push_without_mac(Direction direction, const AirFrame& frame, Time now) {
   const bool lost = packet_loss_.lost(now) || outages_.active(now);
-  const Fate fate = lost ? Fate::lost_on_air : Fate::delivered;
+  const Time leaves = leaves_at(direction, frame.bytes, now);
+  const Fate kept = lost ? Fate::lost_on_air : Fate::delivered;
+  const Fate fate = leaves == never ? Fate::lost_in_queue : kept;
   const Outcome outcome{frame.id, direction, fate, frame.bytes, frame.category, now};
-  if (lost) {
-    end(outcome);
-  } else {
-    deliver_at(now + seconds(params_.delay_s), outcome);
-  }
+  if (fate != Fate::delivered) return end(outcome);
+  const double jitter_s = params_.jitter_s > 0 ? params_.jitter_s * (2 * jitter_.uniform() - 1) : 0;
+  deliver_at(leaves + seconds(std::max(params_.delay_s + jitter_s, 0.0)), outcome);
+}
+
+Time RadioChannel::leaves_at(Direction direction, int bytes, Time now) {
+  if (params_.rate_mbit_s <= 0) return now;
+  Time& free_at = line_free_at_[static_cast<std::size_t>(station_of(direction))];
+  const Duration takes = seconds(8e-6 * bytes / params_.rate_mbit_s);
+  if (free_at - now > takes * params_.queue_frames) return never;
+  free_at = std::max(free_at, now) + takes;
+  return free_at;
 }
 
 void RadioChannel::enqueue(Direction direction, const AirFrame& frame, Time now) {
@@ -106,9 +116,12 @@ void RadioChannel::enqueue(Direction direction, const AirFrame& frame, Time now)
   end({frame.id, direction, Fate::lost_in_queue, frame.bytes, frame.category, now});
 }
 
-void RadioChannel::deliver_at(Time at, Outcome outcome) {
-  outcome.at = deliveries_.empty() ? at : std::max(at, deliveries_.back().at);
-  deliveries_.push_back(outcome);
+void RadioChannel::deliver_at(Time at, const Outcome& outcome) {
+  Time& last = last_delivery_[static_cast<std::size_t>(station_of(outcome.direction))];
+  last = std::max(last, at);
+  const auto place = std::upper_bound(deliveries_.begin(), deliveries_.end(), last,
+                                      [](Time time, const Outcome& one) { return time < one.at; });
+  deliveries_.insert(place, outcome)->at = last;
 }
 
 void RadioChannel::end(const Outcome& outcome) {

@@ -12,6 +12,7 @@ namespace tocsin::radio {
 namespace {
 
 const ChannelParams good = place(40, 60);
+constexpr Time begin{};
 
 ChannelParams without_mac(double loss) {
   ChannelParams params = good;
@@ -42,6 +43,61 @@ ChannelParams rough(const std::string& mode) {
   params.loss = 0.2;
   params.outages_s = {5, 1};
   return params;
+}
+
+TEST(RadioChannel, ALineWithoutMacCarriesItsRateEachWayAndDropsWhatItsQueueDoesNotHold) {
+  ChannelParams params;
+  params.mode = "bernoulli";
+  params.rate_mbit_s = 1;  // 12 ms for 1500 bytes
+  params.delay_s = 0.03;
+  params.queue_frames = 10;
+  RadioChannel sut(params, {}, 1, begin);
+  for (int i = 0; i < 20; ++i) (void)sut.push(Direction::uplink, {1500}, begin);
+  (void)sut.push(Direction::downlink, {1500}, begin);
+  sut.advance(begin + seconds(10));
+  int dropped = 0;
+  std::vector<double> up_s;
+  std::vector<double> down_s;
+  while (const auto outcome = sut.take()) {
+    if (outcome->fate == Fate::lost_in_queue) {
+      ++dropped;
+    } else {
+      (outcome->direction == Direction::uplink ? up_s : down_s)
+          .push_back(to_seconds(outcome->at - begin));
+    }
+  }
+  EXPECT_EQ(dropped, 9);
+  ASSERT_EQ(up_s.size(), 11U);
+  EXPECT_NEAR(up_s.front(), 0.042, 1e-6);
+  EXPECT_NEAR(up_s.back(), 0.03 + 11 * 0.012, 1e-6);
+  ASSERT_EQ(down_s.size(), 1U);
+  EXPECT_NEAR(down_s.front(), 0.042, 1e-6) << "not behind the other way";
+}
+
+TEST(RadioChannel, JitterKeepsTheOrderOfAWay) {
+  ChannelParams params;
+  params.mode = "bernoulli";
+  params.delay_s = 0.02;
+  params.jitter_s = 0.01;
+  RadioChannel sut(params, {}, 1, begin);
+  std::vector<FrameId> sent;
+  for (int i = 0; i < 1000; ++i) {
+    sent.push_back(sut.push(Direction::uplink, {100}, begin + std::chrono::milliseconds(i)));
+  }
+  sut.advance(begin + seconds(10));
+  std::vector<FrameId> came;
+  double least_s = 1;
+  double most_s = 0;
+  while (const auto outcome = sut.take()) {
+    const double delay_s =
+        to_seconds(outcome->at - begin) - 0.001 * static_cast<double>(came.size());
+    came.push_back(outcome->id);
+    least_s = std::min(least_s, delay_s);
+    most_s = std::max(most_s, delay_s);
+  }
+  EXPECT_EQ(came, sent);
+  EXPECT_NEAR(least_s, 0.02, 0.01);
+  EXPECT_NEAR(most_s, 0.03, 0.001);
 }
 
 TEST(RadioChannel, EndsEveryPacketExactlyOnceInEveryMode) {

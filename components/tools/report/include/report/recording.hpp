@@ -52,6 +52,7 @@ struct RouterState {
   double time_s;
   double capacity_bytes_per_s;  ///< headers included; NaN: not measured
   double backlog_s;             ///< what waits in the radio: the delay of the next packet
+  bool by_second = false;       ///< of two paths it has chosen the second
 };
 
 /// The last that mission control reported.

@@ -185,7 +185,7 @@ class LinkBus {
   /// come. The same again changes nothing.
   virtual void want(FlowId /*host_flow*/, bool /*wanted*/) {}
   /// [1, most_paths] Paths over the link.
-  [[nodiscard]] virtual std::size_t paths() const { return 1; }
+  [[nodiscard]] virtual PathIndex paths() const { return 1; }
   /// Makes a writer on each path of the link, whose packets bear the DSCP of the class.
   virtual FlowId open(const Flow& flow, TrafficClass traffic_class) = 0;
   /// The number by which the peers know a flow of `open` on a path: the entity id of its writer.

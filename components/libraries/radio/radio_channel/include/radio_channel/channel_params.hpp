@@ -41,6 +41,8 @@ struct ChannelParams {
   double background_frame_s = 0.0005;
   double loss = 0;
   double delay_s = 0.001;
+  double jitter_s = 0;
+  double rate_mbit_s = 0;
   double good_loss = 0.01;
   double bad_loss = 0.4;
   double good_s = 20;
@@ -57,6 +59,9 @@ struct ChannelParams {
     visit_mac(v);
     v("loss", loss, {0, 1}, "[1] bernoulli: probability that a packet is lost");
     v("delay_s", delay_s, {0, 10}, "[s] one-way delay without MAC");
+    v("jitter_s", jitter_s, {0, 10}, "[s] without MAC: up to so much more or less, in order");
+    v("rate_mbit_s", rate_mbit_s, {0, 1e5},
+      "[Mbit/s] without MAC: what each way carries, where queue_frames wait at most; 0: all");
     v("good_loss", good_loss, {0, 1}, "[1] gilbert_elliott: loss in the good state");
     v("bad_loss", bad_loss, {0, 1}, "[1] gilbert_elliott: loss in the bad state");
     v("good_s", good_s, {0.001, 1e6}, "[s] gilbert_elliott: mean stay in the good state");

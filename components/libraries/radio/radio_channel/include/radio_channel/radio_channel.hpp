@@ -16,6 +16,7 @@
 #include "radio_channel/outages.hpp"
 #include "radio_channel/packet_loss.hpp"
 #include "radio_channel/propagation.hpp"
+#include "radio_channel/random.hpp"
 
 namespace tocsin::radio {
 
@@ -137,7 +138,10 @@ class RadioChannel {
   void enqueue(Direction direction, const AirFrame& frame, Time now);
   void step(Time next);
   void step_medium();
-  void deliver_at(Time at, Outcome outcome);
+  /// Not before what was sent earlier that way.
+  void deliver_at(Time at, const Outcome& outcome);
+  /// When a packet has left, without MAC; `never` when the queue is full.
+  [[nodiscard]] Time leaves_at(Direction direction, int bytes, Time now);
   void end(const Outcome& outcome);
   [[nodiscard]] DirectionReport direction_report(Direction direction) const;
   [[nodiscard]] double busy_share(Time now);
@@ -155,7 +159,10 @@ class RadioChannel {
   PacketLoss packet_loss_;
   FrameId next_id_ = 1;
   std::deque<Arrival> wire_to_access_point_;
-  std::deque<Outcome> deliveries_;
+  std::deque<Outcome> deliveries_;       ///< by time
+  std::array<Time, 2> last_delivery_{};  ///< by direction
+  std::array<Time, 2> line_free_at_{};   ///< the same, without MAC
+  RandomStream jitter_;
   std::deque<Outcome> outcomes_;
   std::vector<AirResult> air_results_;
   std::array<DirectionReport, 2> totals_;
