@@ -62,6 +62,9 @@ inline void fill(tocsin_msgs::msg::LinkState& state, const TableRow& row) {
   state.capacity_bytes_per_s(static_cast<float>(row.number("capacity_bytes_per_s")));
   state.backlog_s(static_cast<float>(row.number("backlog_s")));
   state.capacity_measured(row.count("capacity_measured") == 1);
+  if (row.text("second_chosen").empty()) return;
+  state.paths().resize(2);
+  state.paths()[row.count("second_chosen")].chosen(true);
 }
 
 inline void fill(topic::Location::Message& pose, const TableRow& row) {
