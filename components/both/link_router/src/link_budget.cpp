@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "link_router/link_constants.hpp"
 namespace tocsin::router {
@@ -35,6 +36,7 @@ void AdaptiveScale::update(const Input& input, Time now) {
   const double wanted = target(input);
   const double passed_s = updated_ ? to_seconds(now - *updated_) : 0;
   updated_ = now;
+  if (std::exchange(falls_at_once_, false)) smooth_ = std::min(smooth_, wanted);
   const double constant_s = wanted < smooth_ ? scale_fall_s : scale_rise_s;
   smooth_ += (wanted - smooth_) * -std::expm1(-passed_s / constant_s);
   const bool at_end = wanted == 1 && smooth_ > 1 - scale_step / 2;

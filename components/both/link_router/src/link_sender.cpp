@@ -365,7 +365,9 @@ Duration LinkSender::expected_wait(const SentSample& sent, Time now) const {
 void LinkSender::choose_path(Time now) {
   if (!peers_.has_two_paths()) return;
   const bool was_silent = peers_.health(peers_.path(), now).is_silent;
-  if (peers_.choose_path(now) && was_silent) retransmitter_.revive_elsewhere(now);
+  if (!peers_.choose_path(now)) return;
+  adaptation_.on_other_path();
+  if (was_silent) retransmitter_.revive_elsewhere(now);
 }
 
 void LinkSender::on_written(const Transmission& transmission, TransmissionNumber number) {

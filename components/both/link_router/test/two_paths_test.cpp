@@ -97,6 +97,23 @@ TEST_F(TwoPaths, BulkGoesOnByTheOtherPathWithinASecond) {
   EXPECT_GE(link.delivered[1].size(), before + 12);
 }
 
+TEST_F(TwoPaths, WhatAdaptsIsSmallFromTheFirstSampleOnThatGoesByASlowerPath) {
+  StreamRule rule = rule_with(PathUse::best, TrafficClass::low);
+  rule.adaptive = true;
+  link.add(1, rule);
+  learn_capacity(link, 1);
+  ASSERT_GT(link.sender.state(link.now).scale, 0.9);
+  link.dead_paths[0] = true;
+  for (int i = 0; i < 10 && link.sender.state(link.now).paths[0].chosen; ++i) {
+    link.offer(90, 100 + static_cast<std::uint64_t>(i));
+    link.offer(1, 100 + static_cast<std::uint64_t>(i), picture_bytes);
+    link.run(50 * ms);
+  }
+  ASSERT_TRUE(link.sender.state(link.now).paths[1].chosen);
+  link.run(100 * ms);
+  EXPECT_LT(link.sender.state(link.now).scale, 0.6) << "half of 100 kB/s";
+}
+
 TEST_F(TwoPaths, FirstCopiesGoByBothWhileTheBetterIsPoor) {
   link.add(1, rule_with(PathUse::both));
   play(1000 * ms);

@@ -47,6 +47,8 @@ class AdaptiveScale {
     bool silent = false;             ///< no peer acknowledges anything
   };
   void update(const Input& input, Time now);
+  /// The next update does not smooth a fall: another path, another capacity.
+  void fall_at_once() { falls_at_once_ = true; }
   /// [scale_min, 1]
   [[nodiscard]] double scale() const { return reported_; }
 
@@ -54,6 +56,7 @@ class AdaptiveScale {
   [[nodiscard]] double target(const Input& input) const;
   LinkRouterParams params_;
   double smooth_ = 1;
+  bool falls_at_once_ = false;
   double reported_ = 1;
   std::optional<Time> updated_;
 };
@@ -73,6 +76,9 @@ class LinkAdaptation {
   void on_other(const WireCost& cost, Time now) { others_.add(cost.bytes, now); }
   /// Updates the scale, every 50 ms at most.
   void follow(const LinkedPeers& peers, Time now);
+
+  /// Samples go by another path from now on.
+  void on_other_path() { scale_.fall_at_once(); }
 
   [[nodiscard]] double scale() const { return scale_.scale(); }
   /// Of each adaptive stream. `holds`: whether its source shall skip.
