@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two paths over the link: real Fast DDS on two veth pairs in network namespaces of the test's own.
+#include <arpa/inet.h>
+#include <sys/socket.h>
+
+#include "foundation/error.hpp"
+#include "foundation/file_descriptor.hpp"
 #include "link/namespace_pair.hpp"
 
 namespace tocsin {
@@ -126,6 +131,23 @@ TEST_F(SecondPathTest, APacketIsOfTheAgeThatItsOwnSocketSays) {
   ASSERT_TRUE(crosses(*writer, *far));
   const auto waited = std::chrono::steady_clock::now() - far->crossed().back().received;
   EXPECT_LT(waited, std::chrono::milliseconds(500));
+}
+
+TEST_F(SecondPathTest, APortThatIsTakenThereIsAnErrorThatNamesIt) {
+  const FileDescriptor taken(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+  sockaddr_in at{};
+  at.sin_family = AF_INET;
+  at.sin_port = htons(7410 + 250 * 20);
+  ASSERT_EQ(inet_pton(AF_INET, "10.8.0.1", &at.sin_addr), 1);
+  ASSERT_EQ(::bind(taken.get(), reinterpret_cast<const sockaddr*>(&at), sizeof at), 0);
+  try {
+    (void)make_fast_dds_link_bus(left(), [] {});
+    FAIL() << "no error";
+  } catch (const EnvironmentError& error) {
+    EXPECT_NE(std::string(error.what()).find("UDP 10.8.0.1:12410, a path over the link"),
+              std::string::npos)
+        << error.what();
+  }
 }
 
 TEST_F(SecondPathTest, APacketOfNoPeerIsNotReceivedThere) {
