@@ -30,7 +30,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv, int& exi
                  "X,Y,YAW of a charging dock: middle of its front, facing the room");
   app.add_option("--seed", options.seed, "of all noise")->check(is_seed());
   app.add_option("--config", config, "YAML file with model: and line: parameters");
-  app.add_option("--position", options.positions, "sockets that get 'pos X Y' at 10 Hz");
+  app.add_option("--position", options.position, "socket that gets 'pos X Y' at 10 Hz");
   app.add_option("--control", options.control, "socket that takes commands (get, set, unplug ...)");
   app.add_option("--state", options.state, "file to resume from after a restart");
   app.add_option("--script", options.script_file, "file of lines 'SECONDS COMMAND'");

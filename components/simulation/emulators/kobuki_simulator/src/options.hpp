@@ -23,7 +23,7 @@ struct Options {
   std::uint64_t seed = 1;
   BaseSettings settings;
   LaserTerminal::Params laser;  ///< no link: none
-  std::vector<std::string> positions;
+  std::string position;
   std::string control;
   std::string state;
   std::string script;  ///< the text of the file

@@ -161,11 +161,11 @@ void Simulator::read_control(Time now) {
 
 void Simulator::report(Time now) {
   next_report_ = now + report_period;
-  if (options_.positions.empty()) return;
+  if (options_.position.empty()) return;
   const geometry::Pose& pose = base_.model().pose();
   char text[64] = {};
   std::snprintf(text, sizeof text, "pos %.3f %.3f", pose.x_m, pose.y_m);
-  for (const std::string& to : options_.positions) (void)position_.send(to, text);
+  (void)position_.send(options_.position, text);
 }
 
 void Simulator::save(Time now) {
