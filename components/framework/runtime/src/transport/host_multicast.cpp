@@ -22,8 +22,6 @@
 namespace tocsin {
 namespace {
 
-constexpr std::size_t datagram_room = 65'536;
-
 in_addr group_address() {
   in_addr address{};
   inet_pton(AF_INET, discovery_group, &address);
@@ -156,7 +154,8 @@ HostMulticastReceiver::HostMulticastReceiver(std::uint16_t port)
 }
 
 void HostMulticastReceiver::start(OnDatagram on_datagram) {
-  thread_ = std::thread([this, heard = std::move(on_datagram)] { run(heard); });
+  thread_ = std::thread(
+      [this, heard = std::move(on_datagram)] { receive_datagrams(socket_, stopping_, heard); });
   pthread_setname_np(thread_.native_handle(), "dds_multicast");
 }
 
@@ -165,17 +164,6 @@ void HostMulticastReceiver::stop() {
   stopping_ = true;
   (void)::shutdown(socket_.get(), SHUT_RD);  // wakes the thread
   thread_.join();
-}
-
-void HostMulticastReceiver::run(const OnDatagram& on_datagram) const {
-  std::vector<std::uint8_t> bytes(datagram_room);
-  while (!stopping_) {
-    sockaddr_in from{};
-    socklen_t from_size = sizeof from;
-    const ssize_t size = ::recvfrom(socket_.get(), bytes.data(), bytes.size(), 0,
-                                    reinterpret_cast<sockaddr*>(&from), &from_size);
-    if (size > 0) on_datagram(bytes.data(), static_cast<std::size_t>(size), from);
-  }
 }
 
 HostMulticastSender::HostMulticastSender(const FileDescriptor& socket)

@@ -6,13 +6,13 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "foundation/file_descriptor.hpp"
+#include "transport/udp_sockets.hpp"
 
 namespace tocsin {
 
@@ -36,22 +36,19 @@ inline constexpr const char* discovery_group = "239.255.0.1";
 /// the group hear.
 class HostMulticastReceiver {
  public:
-  /// Called by a thread of its own.
-  using OnDatagram = std::function<void(const std::uint8_t*, std::size_t, const sockaddr_in& from)>;
-
   /// Throws EnvironmentError when the port cannot be shared, or what comes cannot be filtered.
   explicit HostMulticastReceiver(std::uint16_t port);
   ~HostMulticastReceiver() { stop(); }
   HostMulticastReceiver(const HostMulticastReceiver&) = delete;
   HostMulticastReceiver& operator=(const HostMulticastReceiver&) = delete;
 
+  /// `on_datagram` is called by a thread of its own.
   void start(OnDatagram on_datagram);
   /// Returns when the thread has ended; for good.
   void stop();
   [[nodiscard]] bool is_running() const { return thread_.joinable(); }
 
  private:
-  void run(const OnDatagram& on_datagram) const;
   FileDescriptor socket_;
   std::atomic<bool> stopping_{false};
   std::thread thread_;

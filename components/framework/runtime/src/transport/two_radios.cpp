@@ -18,12 +18,12 @@
 #include "transport/radio_socket.hpp"
 #include "transport/socket_wait.hpp"
 #include "transport/stop_channel.hpp"
+#include "transport/udp_sockets.hpp"
 
 namespace tocsin {
 namespace {
 
 namespace rtps = eprosima::fastrtps::rtps;
-constexpr std::size_t datagram_room = 65'536;
 
 std::optional<rtps::Locator_t> moved(const std::map<std::uint32_t, std::uint32_t>& addresses,
                                      const rtps::Locator_t& from) {
@@ -61,15 +61,10 @@ class TwoRadios::Port {
  private:
   void run() const {
     const SocketWait wait(socket_);
-    std::vector<std::uint8_t> bytes(datagram_room);
-    while (!stopping_) {
-      sockaddr_in from{};
-      socklen_t from_size = sizeof from;
-      const ssize_t size = ::recvfrom(socket_.get(), bytes.data(), bytes.size(), 0,
-                                      reinterpret_cast<sockaddr*>(&from), &from_size);
-      if (size <= 0) continue;
-      on_packet_({bytes.data(), static_cast<std::size_t>(size), from, wait.of_last()});
-    }
+    receive_datagrams(socket_, stopping_,
+                      [&](const std::uint8_t* bytes, std::size_t size, const sockaddr_in& from) {
+                        on_packet_({bytes, size, from, wait.of_last()});
+                      });
   }
   const FileDescriptor socket_;
   const OnPacket on_packet_;

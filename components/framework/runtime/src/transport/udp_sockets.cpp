@@ -129,6 +129,18 @@ bool UdpSockets::add_with_port(std::uint8_t family, std::uint16_t port, Found& f
   return ask(netlink_, request, found);
 }
 
+void receive_datagrams(const FileDescriptor& socket, const std::atomic<bool>& stopping,
+                       const OnDatagram& on_datagram) {
+  std::vector<std::uint8_t> bytes(datagram_room);
+  while (!stopping) {
+    sockaddr_in from{};
+    socklen_t from_size = sizeof from;
+    const ssize_t size = ::recvfrom(socket.get(), bytes.data(), bytes.size(), 0,
+                                    reinterpret_cast<sockaddr*>(&from), &from_size);
+    if (size > 0) on_datagram(bytes.data(), static_cast<std::size_t>(size), from);
+  }
+}
+
 FileDescriptor sole_udp_socket() {
   FileDescriptor socket(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
   sockaddr_in everywhere{};

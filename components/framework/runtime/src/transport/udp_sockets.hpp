@@ -4,7 +4,10 @@
 #include <netinet/in.h>
 #include <sys/types.h>
 
+#include <atomic>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -48,5 +51,12 @@ class UdpSockets {
 /// bears options that, together, no other program has, by which UdpSockets tells it. It hears
 /// nothing. Throws EnvironmentError.
 [[nodiscard]] FileDescriptor sole_udp_socket();
+
+/// [byte] Room for any datagram.
+inline constexpr std::size_t datagram_room = 65'536;
+using OnDatagram = std::function<void(const std::uint8_t*, std::size_t, const sockaddr_in& from)>;
+/// Hands on what comes until `stopping`; who sets it wakes the thread by a shutdown of the socket.
+void receive_datagrams(const FileDescriptor& socket, const std::atomic<bool>& stopping,
+                       const OnDatagram& on_datagram);
 
 }  // namespace tocsin
