@@ -94,21 +94,7 @@ class TwoPathRouterTest : public LinkRouterTest {
     start({}, this_computer());
     meet();
   }
-  void begin_second(const std::string& topic, FlowId id = second_flow) {
-    Flow what = flow(topic);
-    what.path = 1;
-    script_.happen(link_event::PeerFlow{id, station, id + 1, what});
-    run(0);
-  }
-  void receive_by(FlowId by, std::uint64_t number, std::uint64_t sequence, SamplePiece piece = {}) {
-    CarriedSample sample;
-    sample.bytes = 100;
-    sample.source = 3;
-    sample.sequence = sequence;
-    sample.sent_wall_ns = host_->bus.wall_ns(host_->bus.now());
-    script_.happen(link_event::LinkSample{by, number, sample, host_->bus.now(), piece});
-    run(0);
-  }
+  void begin_second(const std::string& topic) { begin_peer_flow(topic, second_flow, 1); }
   /// Acknowledgements that were sent, by path.
   [[nodiscard]] std::array<int, 2> acknowledged() const {
     std::array<int, 2> count{};

@@ -67,17 +67,23 @@ class LinkRouterTest : public ::testing::Test {
   /// A peer's flow and one transmission on it.
   void receive(std::uint64_t number, std::uint64_t sequence, SamplePiece piece = {},
                SampleCoding coding = {}) {
+    receive_by(peer_flow, number, sequence, piece, coding);
+  }
+  void receive_by(FlowId flow, std::uint64_t number, std::uint64_t sequence, SamplePiece piece = {},
+                  SampleCoding coding = {}) {
     CarriedSample sample;
     sample.bytes = 100;
     sample.source = 3;
     sample.sequence = sequence;
     sample.coding = coding;
     sample.sent_wall_ns = host_->bus.wall_ns(host_->bus.now());
-    script_.happen(link_event::LinkSample{peer_flow, number, sample, host_->bus.now(), piece});
+    script_.happen(link_event::LinkSample{flow, number, sample, host_->bus.now(), piece});
     run(0);
   }
-  void begin_peer_flow(const std::string& topic, FlowId id = peer_flow) {
-    script_.happen(link_event::PeerFlow{id, station, id + 1, flow(topic)});
+  void begin_peer_flow(const std::string& topic, FlowId id = peer_flow, PathIndex path = 0) {
+    Flow what = flow(topic);
+    what.path = path;
+    script_.happen(link_event::PeerFlow{id, station, id + 1, what});
     run(0);
   }
   void acknowledge(FlowId on_link, std::uint64_t highest, std::uint32_t count = 1) {

@@ -32,45 +32,51 @@ class SecondPathTest : public NamespacePair {
   static BusOptions right() {
     return with_second(options_of("10.9.0.2", "10.9.0.1"), "10.8.0.2", "10.8.0.1");
   }
-  /// Whether what is written on the left comes to the right within some seconds.
-  static bool crosses(Publication& writer, Relay& far) {
-    const std::size_t before = far.crossed().size();
-    return eventually([&] {
-      (void)writer.write(text("x"));
-      return far.crossed().size() > before;
-    });
-  }
-  static bool stays_away(Publication& writer, Relay& far) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    const std::size_t before = far.crossed().size();
-    for (int i = 0; i < 50; ++i) {
-      (void)writer.write(text("x"));
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  /// A router on each side, and a writer on the left.
+  struct Site {
+    Site(const SecondPathTest& test, const BusOptions& own)
+        : near(own),
+          far(test.right_router(right())),
+          process(make_fast_dds_bus(own)),
+          writer(process->advertise(low_topic)) {}
+    /// Whether what is written on the left comes to the right within some seconds.
+    bool crosses() {
+      const std::size_t before = far->crossed().size();
+      return eventually([&] {
+        (void)writer->write(text("x"));
+        return far->crossed().size() > before;
+      });
     }
-    return far.crossed().size() == before;
-  }
+    bool stays_away() {
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      const std::size_t before = far->crossed().size();
+      for (int i = 0; i < 50; ++i) {
+        (void)writer->write(text("x"));
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      }
+      return far->crossed().size() == before;
+    }
+    Relay near;
+    const std::unique_ptr<Relay> far;
+    const std::unique_ptr<Bus> process;
+    const std::unique_ptr<Publication> writer;
+  };
 };
 
 TEST_F(SecondPathTest, EachSampleTakesThePathThatItIsSentByAndNoOther) {
-  Relay near(left());
-  const auto far = right_router(right());
-  const auto process = make_fast_dds_bus(left());
-  const auto writer = process->advertise(low_topic);
-  ASSERT_TRUE(crosses(*writer, *far));
-  near.take_path(1);
-  EXPECT_TRUE(stays_away(*writer, *far)) << "the second interface has no carrier";
+  Site site(*this, left());
+  ASSERT_TRUE(site.crosses());
+  site.near.take_path(1);
+  EXPECT_TRUE(site.stays_away()) << "the second interface has no carrier";
   ASSERT_TRUE(give_carrier("2"));
-  EXPECT_TRUE(crosses(*writer, *far)) << "it may come later";
-  EXPECT_GT(near.packets().second_bytes, announcement_bytes);
+  EXPECT_TRUE(site.crosses()) << "it may come later";
+  EXPECT_GT(site.near.packets().second_bytes, announcement_bytes);
 }
 
 TEST_F(SecondPathTest, AWriterOnEachPathIsTheSameFlow) {
-  Relay near(left());
-  const auto far = right_router(right());
-  const auto process = make_fast_dds_bus(left());
-  const auto writer = process->advertise(low_topic);
-  ASSERT_TRUE(eventually([&] { return far->peer_flows().size() >= 2; }));
-  auto flows = far->peer_flows();
+  Site site(*this, left());
+  ASSERT_TRUE(eventually([&] { return site.far->peer_flows().size() >= 2; }));
+  auto flows = site.far->peer_flows();
   ASSERT_EQ(flows.size(), 2U);
   EXPECT_NE(flows[0].path, flows[1].path);
   flows[1].path = flows[0].path;
@@ -79,57 +85,48 @@ TEST_F(SecondPathTest, AWriterOnEachPathIsTheSameFlow) {
 
 TEST_F(SecondPathTest, WhenTheFirstInterfaceGoesTheSecondCarriesSamplesDiscoveryAndTheStop) {
   ASSERT_TRUE(give_carrier("2"));
-  Relay near(left());
-  const auto far = right_router(right());
-  const auto process = make_fast_dds_bus(left());
-  const auto writer = process->advertise(low_topic);
-  ASSERT_TRUE(crosses(*writer, *far));
+  Site site(*this, left());
+  ASSERT_TRUE(site.crosses());
   ASSERT_TRUE(run("link del left"));
-  EXPECT_TRUE(stays_away(*writer, *far));
-  near.take_path(1);
-  EXPECT_TRUE(crosses(*writer, *far));
+  EXPECT_TRUE(site.stays_away());
+  site.near.take_path(1);
+  EXPECT_TRUE(site.crosses());
   StopValue value;
   value.host = "left";
   value.number = 77;
-  near.say_stop(value);
-  EXPECT_TRUE(eventually([&] { return far->stop_number() == 77; }));
+  site.near.say_stop(value);
+  EXPECT_TRUE(eventually([&] { return site.far->stop_number() == 77; }));
   const Endpoint high{{"low", "state", Scope::link}, &type_info<std_msgs::msg::String>()};
-  const std::size_t flows = far->peer_flows().size();
+  const std::size_t flows = site.far->peer_flows().size();
   const auto another_process = make_fast_dds_bus(left());
   const auto another = another_process->advertise(high);
-  EXPECT_TRUE(eventually([&] { return far->peer_flows().size() > flows; })) << "by discovery";
+  EXPECT_TRUE(eventually([&] { return site.far->peer_flows().size() > flows; })) << "by discovery";
   ASSERT_TRUE(plug("10.9.0") && give_carrier());
-  near.take_path(0);
-  EXPECT_TRUE(crosses(*writer, *far)) << "the first is back";
+  site.near.take_path(0);
+  EXPECT_TRUE(site.crosses()) << "the first is back";
 }
 
 TEST_F(SecondPathTest, TheSecondInterfaceIsEnoughToFindEachOtherAndTheFirstMayComeLater) {
   ASSERT_TRUE(run("link del left"));
   ASSERT_TRUE(give_carrier("2"));
-  Relay near(left());
-  const auto far = right_router(right());
-  const auto process = make_fast_dds_bus(left());
-  const auto writer = process->advertise(low_topic);
-  near.take_path(1);
-  ASSERT_TRUE(crosses(*writer, *far));
-  near.take_path(0);
-  EXPECT_TRUE(stays_away(*writer, *far));
+  Site site(*this, left());
+  site.near.take_path(1);
+  ASSERT_TRUE(site.crosses());
+  site.near.take_path(0);
+  EXPECT_TRUE(site.stays_away());
   ASSERT_TRUE(plug("10.9.0") && give_carrier());
-  EXPECT_TRUE(crosses(*writer, *far));
+  EXPECT_TRUE(site.crosses());
 }
 
 TEST_F(SecondPathTest, APacketIsOfTheAgeThatItsOwnSocketSays) {
   ASSERT_TRUE(give_carrier("2"));
-  Relay near(left());
-  const auto far = right_router(right());
-  const auto process = make_fast_dds_bus(left());
-  const auto writer = process->advertise(low_topic);
-  near.take_path(1);
-  ASSERT_TRUE(crosses(*writer, *far));
-  near.take_path(0);
+  Site site(*this, left());
+  site.near.take_path(1);
+  ASSERT_TRUE(site.crosses());
+  site.near.take_path(0);
   std::this_thread::sleep_for(std::chrono::seconds(1));  // nothing comes by the second
-  ASSERT_TRUE(crosses(*writer, *far));
-  const auto waited = std::chrono::steady_clock::now() - far->crossed().back().received;
+  ASSERT_TRUE(site.crosses());
+  const auto waited = std::chrono::steady_clock::now() - site.far->crossed().back().received;
   EXPECT_LT(waited, std::chrono::milliseconds(500));
 }
 
@@ -155,13 +152,10 @@ TEST_F(SecondPathTest, APacketOfNoPeerIsNotReceivedThere) {
   BusOptions stranger = left();
   stranger.second_address = "10.8.0.3";
   ASSERT_TRUE(run("addr add 10.8.0.3/24 dev left2"));
-  Relay near(stranger);
-  const auto far = right_router(right());
-  const auto process = make_fast_dds_bus(stranger);
-  const auto writer = process->advertise(low_topic);
-  ASSERT_TRUE(crosses(*writer, *far));
-  near.take_path(1);
-  EXPECT_TRUE(stays_away(*writer, *far));
+  Site site(*this, stranger);
+  ASSERT_TRUE(site.crosses());
+  site.near.take_path(1);
+  EXPECT_TRUE(site.stays_away());
 }
 
 }  // namespace
