@@ -12,7 +12,7 @@ NAMES = {"JPEG": "libjpeg-dev", "libevdev": "libevdev-dev", "liblz4": "liblz4-de
          "libzstd": "libzstd-dev", "nlopt_cxx": "libnlopt-cxx-dev", "OpenSSL": "libssl-dev", "tinyxml2": "libtinyxml2-dev", "PkgConfig": None, "Python3": None, "Threads": None, "GTest": None,
          "zlib": "zlib1g-dev"}
 # Packages that a LINK list names without `::`.
-PLAIN = {"yaml-cpp", "fastrtps", "fastcdr"}
+PLAIN = {"yaml-cpp", "fastdds"}
 LONGEST_FUNCTION = 40  # lines; of C++ clang-tidy sees to it
 # The first line of a function in TypeScript; describe() of node's test runner holds tests, and does nothing.
 TYPESCRIPT_FUNCTION = re.compile(r"^( *)(?!.*\bdescribe\()(?!\}? ?(?:if|for|while|switch|catch|else|do)\b)"
@@ -58,6 +58,20 @@ def check_once():
     for file in tracked("*.hpp"):
         if "#pragma once" not in file.read_text():
             report(file, 1, "has no #pragma once")
+
+
+def check_fast_dds_version():
+    """Which Fast DDS there is, is known in one folder, and to the module of CMake that finds it."""
+    homes = ("components/framework/runtime/include/runtime/fast_dds/",
+             "components/framework/tocsin_cmake/cmake/Findfastdds.cmake", "test/lint_rules.py")
+    version = re.compile(r"eprosima::fastrtps|<fastrtps/|find_package\(fastrtps|FAST(?:DDS|RTPS)_VERSION_|TOCSIN_FAST_DDS"
+                         r"|\bgetSerializedSizeProvider\b|\bcalculate_serialized_size\b")
+    for file in tracked("*.cpp", "*.hpp", "*.cmake", "*CMakeLists.txt", "*.py"):
+        if str(file).startswith(homes):
+            continue
+        for number, line in enumerate(file.read_text().split("\n"), 1):
+            if version.search(line):
+                report(file, number, "knows a version of Fast DDS; runtime/fast_dds/ alone does")
 
 
 def check_failure_rows():
@@ -254,6 +268,7 @@ if sys.argv[1:] == ["--words"]:
 check_licence()
 check_versions()
 check_once()
+check_fast_dds_version()
 check_failure_rows()
 check_dependencies()
 check_demo()

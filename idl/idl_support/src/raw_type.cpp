@@ -34,7 +34,6 @@ TypeInfo raw(const char* name) {
   type.deserialize = deserialize;
   type.visit = [](const void*, FieldVisitor&) {};
   type.edit = [](void*, FieldEditor&) {};
-  type.skip = [](WireCursor&) { return true; };
   return type;
 }
 

@@ -73,13 +73,20 @@ TEST(RangeOf, IsWhatTheFieldCanHoldAndSigned64BitsCan) {
   EXPECT_EQ(range_of<Colour>().least, 0);
 }
 
-/// As fastddsgen makes a type with the key fields `id` and `name`.
+/// As a generated type with the key fields `id` and `name`.
 struct Keyed {
   std::int32_t id = 0;
   double value = 0;
   std::string name;
-  void serializeKey(eprosima::fastcdr::Cdr& encoder) const { encoder << id << name; }
-  void deserialize(eprosima::fastcdr::Cdr& decoder) { decoder >> id >> value >> name; }
+  static constexpr bool has_key = true;
+  template <class Message, class Visitor>
+  static bool every_field(Message& message, Visitor&& visit) {
+    return visit("id", message.id) && visit("value", message.value) && visit("name", message.name);
+  }
+  template <class Message, class Visitor>
+  static bool every_key_field(Message& message, Visitor&& visit) {
+    return visit("id", message.id) && visit("name", message.name);
+  }
 };
 
 /// RTPS 2.2, section 9.6.3.3: big endian, without header.
@@ -98,38 +105,6 @@ TEST(SerializeKey, WritesNothingWhereThereIsNoRoom) {
   std::uint8_t bytes[8] = {};
   EXPECT_EQ(cdr::serialize_key<Keyed>(&message, bytes, sizeof bytes), 0U);
 }
-
-}  // namespace
-
-template <>
-struct Key<Keyed> {
-  static bool skip(WireCursor& c) {
-    return skip_field<std::int32_t>(c) && skip_field<std::string>(c);
-  }
-  static void read(eprosima::fastcdr::Cdr& d, Keyed& m) {
-    read_value(d, m.id);
-    read_value(d, m.name);
-  }
-};
-
-}  // namespace tocsin::cdr
-
-namespace tocsin {
-
-template <>
-const TypeInfo& type_info<cdr::Keyed>() {
-  static const TypeInfo info = [] {
-    TypeInfo made{};
-    made.skip = [](WireCursor& c) {
-      return c.skip(1, 4) && c.skip(1, 8) && cdr::skip_field<std::string>(c);
-    };
-    return made;
-  }();
-  return info;
-}
-
-namespace cdr {
-namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
@@ -161,14 +136,77 @@ TEST(Deserialize, RefusesAKeyOnlyThatIsCutOff) {
 }
 
 TEST(ReadValue, AnEnumeratorIsANumberOf32Bits) {
-  Bytes bytes{1, 0, 0, 0};
-  eprosima::fastcdr::FastBuffer memory(reinterpret_cast<char*>(bytes.data()), bytes.size());
-  eprosima::fastcdr::Cdr decoder(memory, eprosima::fastcdr::Cdr::LITTLE_ENDIANNESS);
+  const Bytes bytes{0, 1, 0, 0, 1, 0, 0, 0};
+  WireCursor cursor(bytes.data(), bytes.size());
   Colour colour = red;
-  read_value(decoder, colour);
+  ASSERT_TRUE(read_value(cursor, colour));
   EXPECT_EQ(colour, green);
 }
 
+TEST(ReadValue, ABooleanIsZeroOrOne) {
+  for (const std::uint8_t byte : {0, 1, 2, 255}) {
+    const Bytes bytes{0, 1, 0, 0, byte};
+    WireCursor cursor(bytes.data(), bytes.size());
+    bool value = false;
+    EXPECT_EQ(read_value(cursor, value), byte < 2) << int{byte};
+    EXPECT_EQ(value, byte == 1);
+  }
+}
+
+TEST(ReadValue, ATextEndsBeforeItsZeroAndMayHaveNone) {
+  const auto text_of = [](const Bytes& content) {
+    Bytes bytes{0, 1, 0, 0};
+    bytes.insert(bytes.end(), content.begin(), content.end());
+    WireCursor cursor(bytes.data(), bytes.size());
+    std::string text = "before";
+    return read_value(cursor, text) ? text : "refused";
+  };
+  EXPECT_EQ(text_of({3, 0, 0, 0, 'a', 'b', 0}), "ab");
+  EXPECT_EQ(text_of({2, 0, 0, 0, 'a', 'b'}), "ab");
+  EXPECT_EQ(text_of({0, 0, 0, 0}), "");
+  EXPECT_EQ(text_of({4, 0, 0, 0, 'a', 'b', 0}), "refused");
+}
+
+/// Nothing is made of what the bytes only claim.
+TEST(ReadValue, ASequenceThatClaimsGigabytesIsRefusedBeforeItTakesMemory) {
+  const Bytes bytes{0, 1, 0, 0, 0xff, 0xff, 0xff, 0x7f, 1, 0, 0, 0};
+  const auto capacity_after = [&](auto list) {
+    WireCursor cursor(bytes.data(), bytes.size());
+    EXPECT_FALSE(read_value(cursor, list));
+    return list.capacity();
+  };
+  EXPECT_EQ(capacity_after(std::vector<double>()), 0U);
+  EXPECT_LE(capacity_after(std::vector<std::string>()), 4U);
+  EXPECT_LE(capacity_after(std::vector<Keyed>()), 4U);
+  EXPECT_LE(capacity_after(std::vector<bool>()), 64U);
+}
+
+/// XCDR1 alone: parameter lists and XCDR2 are other encodings of the same message.
+TEST(Deserialize, RefusesAnotherEncapsulation) {
+  Keyed written;
+  written.id = 5;
+  Bytes bytes(serialized_size<Keyed>(&written));
+  ASSERT_EQ(serialize<Keyed>(&written, bytes.data(), bytes.size()), bytes.size());
+  Keyed message;
+  EXPECT_TRUE(deserialize<Keyed>(bytes.data(), bytes.size(), &message));
+  EXPECT_EQ(message.id, 5);
+  for (const std::uint8_t kind : {2, 3, 6, 7, 8, 9, 255}) {
+    bytes[1] = kind;
+    EXPECT_FALSE(deserialize<Keyed>(bytes.data(), bytes.size(), &message)) << int{kind};
+  }
+}
+
+TEST(LongestKey, IsWhatFixedFieldsTakeAndMoreThanAHashWithAText) {
+  struct Numbered : Keyed {
+    std::array<std::int16_t, 3> numbers{};
+    template <class Message, class Visitor>
+    static bool every_key_field(Message& message, Visitor&& visit) {
+      return visit("numbers", message.numbers) && visit("id", message.id);
+    }
+  };
+  EXPECT_EQ(longest_key<Numbered>(), 12U) << "6 bytes, 2 of padding, 4";
+  EXPECT_GT(longest_key<Keyed>(), 16U);
+}
+
 }  // namespace
-}  // namespace cdr
-}  // namespace tocsin
+}  // namespace tocsin::cdr

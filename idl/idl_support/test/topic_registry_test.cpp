@@ -6,8 +6,8 @@
 namespace tocsin {
 namespace {
 
-const TypeInfo first{"first", nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr};
-const TypeInfo second{"second", nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr};
+const TypeInfo first{"first", nullptr, nullptr, nullptr, nullptr, nullptr, nullptr};
+const TypeInfo second{"second", nullptr, nullptr, nullptr, nullptr, nullptr, nullptr};
 
 TEST(TopicRegistry, KeepsTheFirstOfANameInTheOrderOfTheirRegistration) {
   register_topic({"scan", "sensor", Scope::host}, first);

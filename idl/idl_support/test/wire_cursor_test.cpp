@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The walk over a message before it is decoded: it never goes beyond the bytes, whatever they say.
+// Reading never goes beyond the bytes, whatever they say.
 #include "idl_support/wire_cursor.hpp"
 
 #include <gtest/gtest.h>
@@ -27,6 +27,20 @@ TEST(WireCursor, AMessageHasItsHeaderFromFourBytesOn) {
   EXPECT_FALSE(walk({}).has_header());
   EXPECT_FALSE(walk({0, 1, 0}).has_header());
   EXPECT_TRUE(walk({0, 1, 0, 0}).has_header());
+}
+
+TEST(WireCursor, ReadsNumbersOfEitherByteOrder) {
+  const std::vector<std::uint16_t> expected{0x0102, 0x0304};
+  for (const bool little : {true, false}) {
+    const Bytes bytes = message(little ? Bytes{9, 0, 2, 1, 4, 3} : Bytes{9, 0, 1, 2, 3, 4}, little);
+    WireCursor sut = walk(bytes);
+    std::uint8_t first = 0;
+    std::vector<std::uint16_t> numbers(2);
+    ASSERT_TRUE(sut.read(&first, 1) && sut.read(numbers.data(), 2)) << little;
+    EXPECT_EQ(first, 9);
+    EXPECT_EQ(numbers, expected) << little;
+    EXPECT_FALSE(sut.read(&first, 1));
+  }
 }
 
 TEST(WireCursor, PassesWhatIsThereAndNotOneByteMore) {

@@ -6,46 +6,36 @@
 #include <fastdds/dds/subscriber/DataReader.hpp>
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
-#include <fastdds/dds/topic/TopicDataType.hpp>
 #include <fastdds/dds/topic/TypeSupport.hpp>
-#include <functional>
 #include <ros_idl/std_msgs.hpp>
 #include <stdexcept>
 
 #include "peer.hpp"
+#include "runtime/fast_dds/topic_type.hpp"
 
 namespace tocsin::interop {
 namespace {
 
 namespace dds = eprosima::fastdds::dds;
-namespace rtps = eprosima::fastrtps::rtps;
 using Message = std_msgs::msg::String;
-using ReturnCode = eprosima::fastrtps::types::ReturnCode_t;
 
-class StringType : public dds::TopicDataType {
+class StringType final : public fast_dds::TopicType {
  public:
-  StringType() {
-    setName(type_on_wire);
-    m_typeSize = 1024;
-    m_isGetKeyDefined = false;
-    auto_fill_type_information(false);
+  StringType() : TopicType(type_on_wire, 1024, false) {}
+
+ private:
+  std::size_t encode(const void* data, std::uint8_t* to, std::size_t capacity) override {
+    return type_info<Message>().serialize(data, to, capacity);
   }
-  bool serialize(void* data, rtps::SerializedPayload_t* payload) override {
-    payload->length = static_cast<std::uint32_t>(
-        type_info<Message>().serialize(data, payload->data, payload->max_size));
-    payload->encapsulation = CDR_LE;
-    return payload->length > 0;
+  bool decode(const std::uint8_t* from, std::size_t size, void* data) override {
+    return type_info<Message>().deserialize(from, size, data);
   }
-  bool deserialize(rtps::SerializedPayload_t* payload, void* data) override {
-    return type_info<Message>().deserialize(payload->data, payload->length, data);
+  [[nodiscard]] std::size_t encoded_size(const void* data) const override {
+    return type_info<Message>().serialized_size(data);
   }
-  std::function<std::uint32_t()> getSerializedSizeProvider(void* data) override {
-    return
-        [data] { return static_cast<std::uint32_t>(type_info<Message>().serialized_size(data)); };
-  }
-  void* createData() override { return new Message; }
-  void deleteData(void* data) override { delete static_cast<Message*>(data); }
-  bool getKey(void*, rtps::InstanceHandle_t*, bool) override { return false; }
+  [[nodiscard]] void* make() override { return new Message; }
+  void destroy(void* data) override { delete static_cast<Message*>(data); }
+  bool find_key(const void*, InstanceHandle&, bool) override { return false; }
 };
 
 class FastDdsPeer : public Peer {
@@ -66,7 +56,7 @@ class FastDdsPeer : public Peer {
     writer.durability().kind = dds::VOLATILE_DURABILITY_QOS;
     writer.history().depth = 1000;
     if (settings.lifespan_ms > 0) {
-      writer.lifespan().duration = eprosima::fastrtps::Duration_t(1e-3L * settings.lifespan_ms);
+      writer.lifespan().duration = dds::Duration_t(1e-3L * settings.lifespan_ms);
     }
     writer_ = participant_->create_publisher(dds::PUBLISHER_QOS_DEFAULT)
                   ->create_datawriter(topic, writer);
@@ -85,7 +75,7 @@ class FastDdsPeer : public Peer {
     std::vector<HeardText> texts;
     Message message;
     dds::SampleInfo info;
-    while (reader_->take_next_sample(&message, &info) == ReturnCode::RETCODE_OK) {
+    while (reader_->take_next_sample(&message, &info) == dds::RETCODE_OK) {
       if (info.valid_data) texts.push_back({message.data(), now_ms()});
     }
     return texts;

@@ -1,50 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fast_dds_service.hpp"
 
-#include <algorithm>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
-#include <fastdds/dds/topic/TopicDataType.hpp>
 #include <fastdds/dds/topic/TypeSupport.hpp>
-#include <functional>
 #include <stdexcept>
+
+#include "runtime/testing/bytes_type.hpp"
 
 namespace tocsin::interop {
 namespace {
 
 namespace dds = eprosima::fastdds::dds;
-namespace rtps = eprosima::fastrtps::rtps;
-using Bytes = FastDdsService::Bytes;
-using ReturnCode = eprosima::fastrtps::types::ReturnCode_t;
-
-class ByteType : public dds::TopicDataType {
- public:
-  explicit ByteType(const std::string& name) {
-    setName(name.c_str());
-    m_typeSize = 1024;
-    m_isGetKeyDefined = false;
-    auto_fill_type_information(false);
-  }
-  bool serialize(void* data, rtps::SerializedPayload_t* payload) override {
-    const Bytes& bytes = *static_cast<Bytes*>(data);
-    std::copy(bytes.begin(), bytes.end(), payload->data);
-    payload->length = static_cast<std::uint32_t>(bytes.size());
-    payload->encapsulation = CDR_LE;
-    return true;
-  }
-  bool deserialize(rtps::SerializedPayload_t* payload, void* data) override {
-    static_cast<Bytes*>(data)->assign(payload->data, payload->data + payload->length);
-    return true;
-  }
-  std::function<std::uint32_t()> getSerializedSizeProvider(void* data) override {
-    return [data] { return static_cast<std::uint32_t>(static_cast<Bytes*>(data)->size()); };
-  }
-  void* createData() override { return new Bytes; }
-  void deleteData(void* data) override { delete static_cast<Bytes*>(data); }
-  bool getKey(void*, rtps::InstanceHandle_t*, bool) override { return false; }
-};
+namespace rtps = eprosima::fastdds::rtps;
 
 }  // namespace
 
@@ -70,7 +40,7 @@ FastDdsService::~FastDdsService() {
 }
 
 dds::Topic* FastDdsService::topic(const Half& half) {
-  dds::TypeSupport(new ByteType(half.type)).register_type(participant_);
+  dds::TypeSupport(new testing::BytesType(half.type)).register_type(participant_);
   return participant_->create_topic(half.topic, half.type, dds::TOPIC_QOS_DEFAULT);
 }
 
@@ -93,7 +63,7 @@ std::int64_t FastDdsService::write(const Bytes& bytes, const Identity& related) 
 std::optional<FastDdsService::Taken> FastDdsService::take() {
   Taken taken;
   dds::SampleInfo info;
-  while (reader_->take_next_sample(&taken.bytes, &info) == ReturnCode::RETCODE_OK) {
+  while (reader_->take_next_sample(&taken.bytes, &info) == dds::RETCODE_OK) {
     if (!info.valid_data) continue;
     taken.identity = info.sample_identity;
     taken.related = info.related_sample_identity;

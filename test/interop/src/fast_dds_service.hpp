@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fastdds/rtps/common/SampleIdentity.h>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/publisher/DataWriter.hpp>
 #include <fastdds/dds/subscriber/DataReader.hpp>
@@ -11,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "runtime/fast_dds/names.hpp"
+
 namespace tocsin::interop {
 
 /// One half of a service on Fast DDS with the default settings of its library, as rmw_fastrtps
@@ -18,7 +19,7 @@ namespace tocsin::interop {
 class FastDdsService {
  public:
   using Bytes = std::vector<std::uint8_t>;
-  using Identity = eprosima::fastrtps::rtps::SampleIdentity;
+  using Identity = eprosima::fastdds::rtps::SampleIdentity;
   struct Half {
     std::string topic;
     std::string type;
@@ -38,7 +39,7 @@ class FastDdsService {
   /// The number of the sample.
   std::int64_t write(const Bytes& bytes, const Identity& related);
   [[nodiscard]] std::optional<Taken> take();
-  [[nodiscard]] eprosima::fastrtps::rtps::GUID_t reader_guid() const { return reader_->guid(); }
+  [[nodiscard]] eprosima::fastdds::rtps::GUID_t reader_guid() const { return reader_->guid(); }
 
  private:
   eprosima::fastdds::dds::Topic* topic(const Half& half);

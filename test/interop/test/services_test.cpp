@@ -10,6 +10,7 @@
 
 #include "lamp_service.hpp"
 #include "ros_idl/std_srvs.hpp"
+#include "runtime/fast_dds/names.hpp"
 #include "runtime/middleware/host_graph.hpp"
 #include "within.hpp"
 
@@ -169,7 +170,7 @@ TEST(Services, OurClientAsksAServerOfRmwFastrtpsByIdentity) {
   std::optional<FastDdsService::Taken> request;
   ASSERT_TRUE(eventually([&] { return (request = server.take()).has_value(); }));
   EXPECT_EQ(request->bytes, padded(request_bytes));
-  EXPECT_NE(request->related.writer_guid(), eprosima::fastrtps::rtps::GUID_t::unknown());
+  EXPECT_NE(request->related.writer_guid(), eprosima::fastdds::rtps::GUID_t::unknown());
   // rmw_fastrtps answers so: the guid that was given, and the number of the request's sample.
   FastDdsService::Identity answered = request->related;
   answered.sequence_number(request->identity.sequence_number());

@@ -3,60 +3,53 @@
 
 /// A reader of shapes that is Fast DDS's alone: nothing of our runtime stands between.
 
-#include <fastcdr/Cdr.h>
-#include <fastrtps/utils/md5.h>
-
-#include <algorithm>
-#include <array>
 #include <cstdint>
+#include <cstring>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/subscriber/DataReader.hpp>
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
-#include <fastdds/dds/topic/TopicDataType.hpp>
-#include <functional>
 #include <string>
 #include <vector>
+
+#include "runtime/fast_dds/topic_type.hpp"
 
 namespace tocsin::shapes {
 
 namespace dds = eprosima::fastdds::dds;
-namespace rtps = eprosima::fastrtps::rtps;
-using eprosima::fastcdr::Cdr;
-using eprosima::fastcdr::FastBuffer;
 
 /// Of a shape only what is its key.
-class PlainShapeType : public dds::TopicDataType {
+class PlainShapeType final : public fast_dds::TopicType {
  public:
-  PlainShapeType() {
-    setName("ShapeType");
-    m_typeSize = 1024;
-    m_isGetKeyDefined = true;
-  }
-  bool serialize(void*, rtps::SerializedPayload_t*) override { return false; }  // it only reads
-  bool deserialize(rtps::SerializedPayload_t* payload, void* color) override {
-    FastBuffer buffer(reinterpret_cast<char*>(payload->data), payload->length);
-    Cdr cdr(buffer, Cdr::DEFAULT_ENDIAN, Cdr::DDS_CDR);
-    cdr.read_encapsulation();
-    cdr >> *static_cast<std::string*>(color);
+  PlainShapeType() : TopicType("ShapeType", 1024, true) {}
+
+ private:
+  std::size_t encode(const void*, std::uint8_t*, std::size_t) override {
+    return 0;
+  }  // it only reads
+  [[nodiscard]] std::size_t encoded_size(const void*) const override { return 0; }
+  /// The color comes first: behind the header of 4 bytes its length, and its bytes with a zero.
+  bool decode(const std::uint8_t* from, std::size_t size, void* color) override {
+    constexpr std::size_t text_at = 8;
+    std::uint32_t length = 0;
+    if (size < text_at) return false;
+    std::memcpy(&length, from + 4, sizeof length);
+    if (length == 0 || length > size - text_at) return false;
+    static_cast<std::string*>(color)->assign(from + text_at, from + text_at + length - 1);
     return true;
   }
-  std::function<std::uint32_t()> getSerializedSizeProvider(void*) override {
-    return [] { return 0U; };
-  }
-  void* createData() override { return new std::string; }
-  void deleteData(void* color) override { delete static_cast<std::string*>(color); }
-  bool getKey(void* color, rtps::InstanceHandle_t* handle, bool) override {
-    std::array<char, 256> bytes{};
-    FastBuffer buffer(bytes.data(), bytes.size());
-    Cdr cdr(buffer, Cdr::BIG_ENDIANNESS);
-    cdr << *static_cast<std::string*>(color);
-    MD5 digest;
+  [[nodiscard]] void* make() override { return new std::string; }
+  void destroy(void* color) override { delete static_cast<std::string*>(color); }
+  bool find_key(const void* color, InstanceHandle& handle, bool) override {
+    const std::string& text = *static_cast<const std::string*>(color);
+    const std::string key{'\0', '\0', '\0', static_cast<char>(text.size() + 1)};
+    const std::string bytes = key + text + '\0';
+    eprosima::fastdds::MD5 digest;
     digest.init();
-    digest.update(bytes.data(), static_cast<unsigned>(cdr.getSerializedDataLength()));
+    digest.update(bytes.data(), static_cast<unsigned>(bytes.size()));
     digest.finalize();
-    for (unsigned i = 0; i < 16; ++i) handle->value[i] = digest.digest[i];
+    for (unsigned i = 0; i < 16; ++i) handle.value[i] = digest.digest[i];
     return true;
   }
 };
@@ -85,8 +78,7 @@ class PlainReader {
   void take_all() {
     std::string color;
     dds::SampleInfo info;
-    while (reader_->take_next_sample(&color, &info) ==
-           eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK) {
+    while (reader_->take_next_sample(&color, &info) == dds::RETCODE_OK) {
       samples_ += info.valid_data ? 1 : 0;
       if (!info.valid_data) ends_.push_back(info.instance_state);
     }

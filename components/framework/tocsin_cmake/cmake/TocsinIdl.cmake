@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # tocsin_idl_library(name IDL idl/a.idl ... [LINK ros_idl::ros_idl])
-# Generates C++ from IDL with fastddsgen at build time into one shared library. Headers are included
-# as "<name>/<stem>.hpp". The same in TypeScript is installed as share/<name>/ts/<stem>.ts. Only the
-# types and their CDR coding are compiled: what Fast DDS needs to know of a type, the runtime makes
-# from its TypeInfo (a PubSubTypes file costs four times as much to compile as the type itself).
+# Generates C++ from IDL at build time into one shared library; fastddsgen parses it. Headers are
+# included as "<name>/<stem>.hpp". The same in TypeScript is installed as share/<name>/ts/<stem>.ts.
+# What Fast DDS needs to know of a type, the runtime makes from its TypeInfo.
 include_guard(GLOBAL)
 set(TOCSIN_GENERATE_IDL "${CMAKE_CURRENT_LIST_DIR}/generate_idl.py")
 file(GLOB TOCSIN_GENERATE_IDL_PARTS "${CMAKE_CURRENT_LIST_DIR}/*.py"
@@ -23,8 +22,8 @@ function(tocsin_idl_library name)
   set(sources)
   foreach(idl IN LISTS idls)
     get_filename_component(stem "${idl}" NAME_WE)
-    list(APPEND outputs "${gen}/${stem}.h" "${gen}/${stem}.hpp" "${gen}/${stem}.ts")
-    list(APPEND sources "${gen}/${stem}.cxx" "${gen}/${stem}_type_info.cpp")
+    list(APPEND outputs "${gen}/${stem}.hpp" "${gen}/${stem}.ts")
+    list(APPEND sources "${gen}/${stem}_type_info.cpp")
   endforeach()
   tocsin_find(idl_support::idl_support ${A_LINK})
   set(search --search "${CMAKE_CURRENT_SOURCE_DIR}/idl")
@@ -49,8 +48,7 @@ function(tocsin_idl_library name)
     target_include_directories(${name} PUBLIC
       "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>")
   endif()
-  install(DIRECTORY "${gen}/" DESTINATION include/${name} FILES_MATCHING PATTERN "*.h"
-          PATTERN "*.hpp")
+  install(DIRECTORY "${gen}/" DESTINATION include/${name} FILES_MATCHING PATTERN "*.hpp")
   install(FILES ${idls} DESTINATION share/${name}/idl)
   install(DIRECTORY "${gen}/" DESTINATION share/${name}/ts FILES_MATCHING PATTERN "*.ts")
   tocsin_export(TARGETS ${name} LINK idl_support::idl_support ${A_LINK})

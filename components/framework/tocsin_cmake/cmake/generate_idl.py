@@ -1,18 +1,18 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Makes C++ and TypeScript of IDL files: for each <stem>.h, .cxx, .hpp, _type_info.cpp and .ts.
+"""Makes C++ and TypeScript of IDL files: for each <stem>.hpp, _type_info.cpp and .ts.
 
-The types and their CDR coding are fastddsgen's; the description of their fields is taken from its
-own parse. What the dialect does not know is refused with file and line, and nothing is written.
+fastddsgen parses. What the dialect does not know is refused with file and line, and nothing is
+written.
 """
 import argparse
 import pathlib
 import sys
 
+import cpp_types
 import describe_idl
 import idl_dialect
 import idl_parser
-import inline_types
 import ros_definition
 import ros_typescript
 import type_hash
@@ -24,20 +24,16 @@ def put(path, text):
         path.write_text(text)
 
 
-def files_of(package, idl, parsed, generated, bounds):
+def files_of(package, idl, parsed, bounds):
     """{file name: text} of one IDL file."""
     stem = idl.stem
     text = idl.read_text(errors="replace")
     definitions = ros_definition.definitions(text, parsed)
     types = idl_dialect.structs(parsed)
-    includes = [pathlib.PurePath(name).name for name in parsed["includes"]]
-    header, source = inline_types.inlined(*generated)
-    return {f"{stem}.h": header + "\n", f"{stem}.cxx": source,
-            f"{stem}.ts": ros_typescript.file_text(stem, text, parsed),
-            f"{stem}.hpp": describe_idl.header(package, stem, includes, types),
-            f"{stem}_type_info.cpp": describe_idl.source(
-                package, stem, types, idl_dialect.keys(parsed), definitions,
-                type_hash.Hashes(parsed, bounds))}
+    return {f"{stem}.ts": ros_typescript.file_text(stem, text, parsed),
+            f"{stem}.hpp": cpp_types.header(stem, parsed),
+            f"{stem}_type_info.cpp": describe_idl.source(package, stem, types, definitions,
+                                                         type_hash.Hashes(parsed, bounds))}
 
 
 def refuse_faults(parsed):
@@ -54,7 +50,7 @@ def refuse_faults(parsed):
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
-    parser.add_argument("--generator", default="fastddsgen", help="the program fastddsgen, 2.3")
+    parser.add_argument("--generator", default="fastddsgen", help="the program fastddsgen, 2.3 or 4.0")
     parser.add_argument("--package", required=True, help="folder of the headers in an #include")
     parser.add_argument("--out", required=True, type=pathlib.Path, help="folder of what is made")
     parser.add_argument("--search", action="append", default=[], metavar="FOLDER",
@@ -70,14 +66,12 @@ def main():
     try:
         parsed = idl_parser.parse(given.generator, idls, search)
         refuse_faults(parsed)
-        generated = idl_parser.generate(given.generator, idls, search)
     except (idl_parser.IdlError, OSError) as error:
         sys.exit(str(error))
     given.out.mkdir(parents=True, exist_ok=True)
     for idl in idls:
         bounds = type_hash.bounds_of(idl, parsed[idl]["includes"], search)
-        for name, text in files_of(given.package, idl, parsed[idl], generated[idl.stem],
-                                   bounds).items():
+        for name, text in files_of(given.package, idl, parsed[idl], bounds).items():
             put(given.out / name, text)
 
 

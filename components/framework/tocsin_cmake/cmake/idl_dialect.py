@@ -37,6 +37,12 @@ class Source:
         found = re.compile(rf"\b{name}\b").search(self.text, self.at)
         return self.line(found.start() if found else self.at)
 
+    def forwards(self, struct):
+        return re.search(rf"\bstruct\s+{struct}\s*;", self.text) is not None
+
+    def goes_on_with(self, sign):
+        return self.text[self.at:].lstrip().startswith(sign)
+
     def line(self, at):
         return self.text.count("\n", 0, at) + 1
 
@@ -50,8 +56,7 @@ def type_fault(type_):
         return f"is a bounded {'string' if kind == STRING else 'sequence'}; its bound would be ignored"
     for size in type_.get("dimensions", []):
         if not size.isdigit() or int(size) == 0:
-            return f"is an array of {size}; allowed is a number above 0 (of a constant fastddsgen " \
-                   "2.3 makes wrong C++)"
+            return f"is an array of {size}; allowed is a number above 0"
     if kind in (SEQUENCE, ARRAY, ALIAS):
         return type_fault(type_["content"])
     return None if kind == STRING else f"is {REFUSED.get(kind, 'of an unknown type')}; {FIELDS}"
@@ -77,9 +82,9 @@ def struct_faults(struct, source):
     for name in struct["annotations"]:
         if name != "final":
             yield source.line(source.at), f"has @{name}, which would be ignored; allowed is @final"
-    if struct["bases"]:
+    if source.goes_on_with(":"):
         yield source.line(source.at), "inherits from another; name its fields instead"
-    if struct["forwarded"]:
+    if source.forwards(struct["name"]):
         yield source.line(source.at), "is declared before it is defined; define it once"
     if not struct["members"]:
         yield source.line(source.at), ("has no field; ROS 2 gives such a message one: "
@@ -133,11 +138,3 @@ def structs(parsed):
     return [(one["scope"].split("::") if one["scope"] else [], one["name"],
              [field["name"] for field in one["members"]])
             for one in own_definitions(parsed) if one["kind"] == STRUCT]
-
-
-def keys(parsed):
-    """{qualified name: [fields of its key]} of the file's own structs that have one."""
-    named = {"::".join(filter(None, [one["scope"], one["name"]])):
-             [field["name"] for field in one["members"] if "key" in field["annotations"]]
-             for one in own_definitions(parsed) if one["kind"] == STRUCT}
-    return {name: fields for name, fields in named.items() if fields}

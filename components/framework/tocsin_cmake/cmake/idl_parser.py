@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs fastddsgen 2.3: as a parser that tells what it has read, and as the generator that it is.
+"""Runs fastddsgen, 2.3 or 4.0, as a parser that tells what it has read.
 
 What it says is passed on as file:line: reason; its Java stack traces are not.
 """
@@ -14,7 +14,10 @@ import tempfile
 TEMPLATE = pathlib.Path(__file__).with_name("fields.stg")
 # Every template group that fastddsgen applies; what it would generate could fail on what it reads.
 GROUPS = {"com/eprosima/fastcdr/idl/templates": ["TypesHeader", "TypesSource"],
-          "com/eprosima/fastdds/idl/templates": ["DDSPubSubTypeHeader", "DDSPubSubTypeSource"]}
+          "com/eprosima/fastdds/idl/templates": [
+              "DDSPubSubTypeHeader", "DDSPubSubTypeSource", "TypesCdrAuxHeader",
+              "TypesCdrAuxHeaderImpl", "XTypesTypeObjectHeader", "XTypesTypeObjectSource"]}
+VALUE = re.compile(r"~(.*?)~", re.DOTALL)
 ESCAPES = re.compile(r"\x1b\[[0-9;]*m")
 CURRENT = re.compile(r"Processing the file (?P<file>.*)\.\.\.$")
 PLACED = re.compile(r"(?P<file>\S.*?):(?P<line>\d+):\d+: (?:fatal )?error: (?P<text>.*)")
@@ -64,15 +67,17 @@ def complaints(log):
     return list(dict.fromkeys(faults))
 
 
-def call(generator, idls, search, scratch, environment=None):
+def call(generator, idls, search, scratch):
     """One run of fastddsgen into scratch/out. Throws IdlError when it has any complaint."""
     out = scratch / "out"
     (scratch / "temporary").mkdir(parents=True)
     out.mkdir()
     command = [str(generator), "-cs", "-replace", "-t", str(scratch / "temporary"), "-d", str(out)]
     command += [word for folder in search for word in ("-I", str(folder))]
+    # The Java machine looks there before it looks into fastddsgen's own archive.
+    options = "-Xbootclasspath/a:templates " + os.environ.get("JAVA_TOOL_OPTIONS", "")
     done = subprocess.run(command + [str(idl) for idl in idls], cwd=scratch, errors="replace",
-                          env={**os.environ, **(environment or {})}, text=True,
+                          env={**os.environ, "JAVA_TOOL_OPTIONS": options}, text=True,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     faults = complaints(done.stdout)
     if faults:
@@ -83,6 +88,12 @@ def call(generator, idls, search, scratch, environment=None):
     return out
 
 
+def read(out, stem):
+    """What our template has made of an IDL file. Throws ValueError or StopIteration when it has not."""
+    headers = (file for file in sorted(out.rglob(f"{stem}.h*")) if file.suffix in (".h", ".hpp"))
+    return json.loads(VALUE.sub(lambda value: json.dumps(value[1]), next(headers).read_text()))
+
+
 def parse(generator, idls, search):
     """What each of the IDL files declares and includes, as fastddsgen has parsed it."""
     with tempfile.TemporaryDirectory(prefix="tocsin_idl_") as name:
@@ -91,23 +102,8 @@ def parse(generator, idls, search):
             (scratch / "templates" / folder).mkdir(parents=True)
             for group in groups:
                 shutil.copy(TEMPLATE, scratch / "templates" / folder / f"{group}.stg")
-        # The Java machine looks there before it looks into fastddsgen's own archive.
-        options = "-Xbootclasspath/a:templates " + os.environ.get("JAVA_TOOL_OPTIONS", "")
-        out = call(generator, idls, search, scratch, {"JAVA_TOOL_OPTIONS": options})
+        out = call(generator, idls, search, scratch)
         try:
-            return {idl: json.loads((out / f"{idl.stem}.h").read_text()) for idl in idls}
-        except json.JSONDecodeError:
-            raise IdlError(f"{generator}: is not version 2.3, which this needs") from None
-
-
-def generate(generator, idls, search):
-    """Header and source that fastddsgen makes of each file: {stem: (text, text)}.
-
-    It writes the files that are included, too, and names of Java objects into comments.
-    """
-    with tempfile.TemporaryDirectory(prefix="tocsin_idl_") as name:
-        out = call(generator, idls, search, pathlib.Path(name))
-        return {idl.stem: tuple(re.sub(r"(//[^\n]*)@[0-9a-f]+", r"\1",
-                                       (out / f"{idl.stem}.{end}").read_text())
-                                for end in ("h", "cxx"))
-                for idl in idls}
+            return {idl: read(out, idl.stem) for idl in idls}
+        except (ValueError, StopIteration):
+            raise IdlError(f"{generator}: is neither version 2.3 nor 4.0, which this knows") from None

@@ -2,6 +2,8 @@
 // What requests of HTTP get.
 #pragma once
 
+#include <cstdint>  // Boost 1.83 needs it and does not say so
+
 #include <atomic>
 #include <boost/beast/http/message.hpp>
 #include <boost/beast/http/string_body.hpp>

@@ -3,13 +3,14 @@
 
 #include <unistd.h>
 
+#include <cstdint>  // Boost 1.83 needs it and does not say so
+
 #include <algorithm>
 #include <array>
 #include <boost/asio/buffer.hpp>
 #include <boost/beast/core/error.hpp>
 #include <boost/beast/http/message.hpp>
 #include <boost/optional.hpp>
-#include <cstdint>
 #include <utility>
 
 #include "foundation/file_descriptor.hpp"

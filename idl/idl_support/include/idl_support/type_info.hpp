@@ -9,8 +9,6 @@
 
 namespace tocsin {
 
-class WireCursor;
-
 /// Receives the fields of a message in the order of its IDL. Names are the IDL's; the elements of
 /// a list have the list's name.
 class FieldVisitor {
@@ -70,8 +68,6 @@ struct TypeInfo {
   void (*visit)(const void* message, FieldVisitor& visitor);
   /// Gives every field to `editor`.
   void (*edit)(void* message, FieldEditor& editor);
-  /// Passes one encoded message; false when the bytes end before it does.
-  bool (*skip)(WireCursor& cursor);
   /// "RIHS01_" and 64 hexadecimal digits, by which ROS 2 compares types; empty for a type that no
   /// interface file of ROS 2 can say. A literal.
   const char* ros_hash = "";

@@ -3,43 +3,55 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+
+#include "idl_support/byte_order.hpp"
 
 namespace tocsin {
 
-/// Walks over the bytes of an encoded message (XCDR1, either byte order) without decoding them.
-///
-/// Fast CDR makes a sequence as long as its bytes claim before it looks how many there are, so that
-/// a forged packet of 100 bytes could take gigabytes. Every message is walked first.
+/// Reads the bytes of an encoded message (XCDR1, either byte order), and never beyond them.
+/// Nothing has to be made before it is known that its bytes are there: a forged packet of 100 bytes
+/// that claims a sequence of gigabytes takes no memory.
 class WireCursor {
  public:
   /// `bytes` begin with the 4-byte encapsulation header.
   WireCursor(const std::uint8_t* bytes, std::size_t size)
       : bytes_(bytes), size_(size), little_(size > 1 && (bytes[1] & 1U) != 0) {}
 
-  [[nodiscard]] bool has_header() const { return size_ >= header; }
-  /// Passes `count` values of `width` bytes (a power of two). False when they are not all there.
+  /// Whether the header is that of plain XCDR1 (RTPS 2.2, section 10.2).
+  [[nodiscard]] bool has_header() const {
+    return size_ >= header && bytes_[0] == 0 && bytes_[1] <= 1;
+  }
+  /// Whether `count` values of `width` bytes (a power of two) are there.
+  [[nodiscard]] bool has(std::size_t count, std::size_t width) const {
+    const std::size_t begin = aligned(width);
+    return count == 0 || (begin <= size_ && count <= (size_ - begin) / width);
+  }
+  /// Passes them. False when they are not all there.
   [[nodiscard]] bool skip(std::size_t count, std::size_t width) {
+    if (!has(count, width)) return false;
+    if (count > 0) at_ = aligned(width) + count * width;
+    return true;
+  }
+  /// Reads `count` numbers. False, and nothing is read, when they are not all there.
+  template <class Number>
+  [[nodiscard]] bool read(Number* to, std::size_t count) {
+    if (!skip(count, sizeof(Number))) return false;
     if (count == 0) return true;
-    const std::size_t aligned = header + (at_ - header + width - 1) / width * width;
-    if (aligned > size_ || count > (size_ - aligned) / width) return false;
-    at_ = aligned + count * width;
+    std::memcpy(to, bytes_ + at_ - count * sizeof(Number), count * sizeof(Number));
+    if (little_ != host_is_little_endian()) {
+      reverse_bytes(reinterpret_cast<std::uint8_t*>(to), sizeof(Number), count);
+    }
     return true;
   }
   /// Reads the length in front of a string or sequence. False when it is not there.
-  [[nodiscard]] bool read_length(std::uint32_t& length) {
-    if (!skip(1, sizeof length)) return false;
-    const std::uint8_t* const b = bytes_ + at_ - sizeof length;
-    const auto join = [&](int first, int second, int third, int fourth) {
-      return static_cast<std::uint32_t>(b[first]) | static_cast<std::uint32_t>(b[second]) << 8U |
-             static_cast<std::uint32_t>(b[third]) << 16U |
-             static_cast<std::uint32_t>(b[fourth]) << 24U;
-    };
-    length = little_ ? join(0, 1, 2, 3) : join(3, 2, 1, 0);
-    return true;
-  }
+  [[nodiscard]] bool read_length(std::uint32_t& length) { return read(&length, 1); }
 
  private:
   static constexpr std::size_t header = 4;
+  [[nodiscard]] std::size_t aligned(std::size_t width) const {
+    return header + (at_ - header + width - 1) / width * width;
+  }
   const std::uint8_t* bytes_;
   std::size_t size_;
   bool little_;

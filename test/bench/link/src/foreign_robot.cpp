@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "foreign_robot.hpp"
 
-#include <fastrtps/utils/IPLocator.h>
-
 #include <chrono>
 #include <cstring>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
@@ -13,8 +11,6 @@
 #include <fastdds/dds/subscriber/DataReaderListener.hpp>
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
-#include <fastdds/dds/topic/TopicDataType.hpp>
-#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <thread>
@@ -24,12 +20,13 @@
 #include "ros_idl/geometry_msgs.hpp"
 #include "ros_idl/nav_msgs.hpp"
 #include "ros_idl/sensor_msgs.hpp"
+#include "runtime/testing/bytes_type.hpp"
 
 namespace tocsin::bench {
 namespace {
 
 namespace dds = eprosima::fastdds::dds;
-namespace rtps = eprosima::fastrtps::rtps;
+namespace rtps = eprosima::fastdds::rtps;
 using Bytes = std::vector<std::uint8_t>;
 using std::chrono::nanoseconds;
 using std::chrono::steady_clock;
@@ -37,34 +34,6 @@ using std::chrono::steady_clock;
 /// Encapsulation header.
 constexpr std::size_t head = 4;
 constexpr double ns_per_s = 1e9;
-
-/// Messages as they are on the wire.
-class BytesType : public dds::TopicDataType {
- public:
-  explicit BytesType(const char* name) {
-    setName(name);
-    m_typeSize = 64 * 1024;
-    auto_fill_type_object(false);
-    auto_fill_type_information(false);
-  }
-  bool serialize(void* data, rtps::SerializedPayload_t* payload) override {
-    const Bytes& bytes = *static_cast<Bytes*>(data);
-    std::memcpy(payload->data, bytes.data(), bytes.size());
-    payload->length = static_cast<std::uint32_t>(bytes.size());
-    payload->encapsulation = CDR_LE;
-    return true;
-  }
-  bool deserialize(rtps::SerializedPayload_t* payload, void* data) override {
-    static_cast<Bytes*>(data)->assign(payload->data, payload->data + payload->length);
-    return true;
-  }
-  std::function<std::uint32_t()> getSerializedSizeProvider(void* data) override {
-    return [data] { return static_cast<std::uint32_t>(static_cast<Bytes*>(data)->size()); };
-  }
-  void* createData() override { return new Bytes; }
-  void deleteData(void* data) override { delete static_cast<Bytes*>(data); }
-  bool getKey(void*, rtps::InstanceHandle_t*, bool) override { return false; }
-};
 
 void append(Bytes& bytes, std::uint32_t number) {
   const std::size_t at = bytes.size();
@@ -137,8 +106,7 @@ class Listener : public dds::DataReaderListener {
   void on_data_available(dds::DataReader* reader) override {
     Bytes bytes;
     dds::SampleInfo info;
-    while (reader->take_next_sample(&bytes, &info) ==
-           eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK) {
+    while (reader->take_next_sample(&bytes, &info) == dds::RETCODE_OK) {
       if (info.valid_data && bytes.size() >= 2 * head + head) take(bytes);
     }
   }
@@ -215,7 +183,7 @@ void be_foreign(const Place& place, bool robot, RobotLog& log) {
   for (std::size_t i = 0; i < streams.size(); ++i) {
     const Stream& stream = streams[i];
     StreamLog& own = log.of[i];
-    dds::TypeSupport(new BytesType(stream.type)).register_type(participant);
+    dds::TypeSupport(new testing::BytesType(stream.type)).register_type(participant);
     auto* const topic =
         participant->create_topic(stream.topic, stream.type, dds::TOPIC_QOS_DEFAULT);
     if (stream.to_robot == robot) {

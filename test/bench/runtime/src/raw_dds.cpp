@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "raw_dds.hpp"
 
-#include <fastcdr/Cdr.h>
-#include <fastcdr/FastBuffer.h>
-#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
-
-#include <fastrtps/utils/IPLocator.h>
-
 #include <cassert>
 #include <cstring>
 #include <fastdds/dds/core/condition/StatusCondition.hpp>
@@ -14,86 +8,82 @@
 #include <fastdds/dds/publisher/Publisher.hpp>
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
-#include <fastdds/dds/topic/TopicDataType.hpp>
 #include <vector>
 
 #include "ros_idl/sensor_msgs.hpp"
+#include "runtime/fast_dds/fast_cdr.hpp"
+#include "runtime/fast_dds/topic_type.hpp"
+#include "runtime/fast_dds/transport.hpp"
 
 namespace tocsin::bench {
 namespace {
 
 namespace dds = eprosima::fastdds::dds;
-namespace rtps = eprosima::fastrtps::rtps;
-namespace cdr = eprosima::fastcdr;
-using ReturnCode = eprosima::fastrtps::types::ReturnCode_t;
+namespace rtps = eprosima::fastdds::rtps;
 
 using Octets = std::vector<std::uint8_t>;
 using Message = sensor_msgs::msg::CompressedImage;
 
 template <class T>
-class RawTopicType : public dds::TopicDataType {
+class RawTopicType : public fast_dds::TopicType {
  public:
-  explicit RawTopicType(const char* name) {
-    setName(name);
-    m_typeSize = 8;
-    auto_fill_type_object(false);
-    auto_fill_type_information(false);
-  }
-  void* createData() override { return new T; }
-  void deleteData(void* data) override { delete static_cast<T*>(data); }
-  bool getKey(void*, rtps::InstanceHandle_t*, bool) override { return false; }
+  explicit RawTopicType(const char* name) : TopicType(name, 8, false) {}
+
+ private:
+  [[nodiscard]] void* make() override { return new T; }
+  void destroy(void* data) override { delete static_cast<T*>(data); }
+  bool find_key(const void*, InstanceHandle&, bool) override { return false; }
 };
 
-class OctetsType : public RawTopicType<Octets> {
+class OctetsType final : public RawTopicType<Octets> {
  public:
   static constexpr std::uint32_t head = 8;
   OctetsType() : RawTopicType("Octets") {}
-  bool serialize(void* data, rtps::SerializedPayload_t* payload) override {
-    const Octets& octets = *static_cast<Octets*>(data);
+
+ private:
+  std::size_t encode(const void* data, std::uint8_t* to, std::size_t /*capacity*/) override {
+    const Octets& octets = *static_cast<const Octets*>(data);
     const auto size = static_cast<std::uint32_t>(octets.size());
     const std::uint32_t encapsulation = 0x100;
-    std::memcpy(payload->data, &encapsulation, 4);
-    std::memcpy(payload->data + 4, &size, 4);
-    std::memcpy(payload->data + head, octets.data(), size);
-    payload->length = head + size;
-    payload->encapsulation = CDR_LE;
+    std::memcpy(to, &encapsulation, 4);
+    std::memcpy(to + 4, &size, 4);
+    std::memcpy(to + head, octets.data(), size);
+    return head + size;
+  }
+  bool decode(const std::uint8_t* from, std::size_t size, void* data) override {
+    static_cast<Octets*>(data)->assign(from + head, from + size);
     return true;
   }
-  bool deserialize(rtps::SerializedPayload_t* payload, void* data) override {
-    Octets& octets = *static_cast<Octets*>(data);
-    octets.resize(payload->length - head);
-    std::memcpy(octets.data(), payload->data + head, octets.size());
-    return true;
-  }
-  std::function<std::uint32_t()> getSerializedSizeProvider(void* data) override {
-    return [data] { return head + static_cast<std::uint32_t>(static_cast<Octets*>(data)->size()); };
+  [[nodiscard]] std::size_t encoded_size(const void* data) const override {
+    return head + static_cast<const Octets*>(data)->size();
   }
 };
 
-class MessageType : public RawTopicType<Message> {
+/// Coded by Fast CDR, as the code is that fastddsgen makes.
+class MessageType final : public RawTopicType<Message> {
  public:
   MessageType() : RawTopicType("Message") {}
-  bool serialize(void* data, rtps::SerializedPayload_t* payload) override {
-    cdr::FastBuffer buffer(reinterpret_cast<char*>(payload->data), payload->max_size);
-    cdr::Cdr encoder(buffer, cdr::Cdr::LITTLE_ENDIANNESS, cdr::Cdr::DDS_CDR);
-    encoder.serialize_encapsulation();
-    static_cast<Message*>(data)->serialize(encoder);
-    payload->length = static_cast<std::uint32_t>(encoder.getSerializedDataLength());
-    payload->encapsulation = CDR_LE;
+
+ private:
+  std::size_t encode(const void* data, std::uint8_t* to, std::size_t capacity) override {
+    return fast_dds::encode_by_fast_cdr(to, capacity, [data](auto& encoder) {
+      const Message& message = *static_cast<const Message*>(data);
+      const auto& header = message.header();
+      encoder << header.stamp().sec() << header.stamp().nanosec() << header.frame_id()
+              << message.format() << message.data();
+    });
+  }
+  bool decode(const std::uint8_t* from, std::size_t size, void* data) override {
+    fast_dds::decode_by_fast_cdr(from, size, [data](auto& decoder) {
+      Message& message = *static_cast<Message*>(data);
+      auto& header = message.header();
+      decoder >> header.stamp().sec() >> header.stamp().nanosec() >> header.frame_id() >>
+          message.format() >> message.data();
+    });
     return true;
   }
-  bool deserialize(rtps::SerializedPayload_t* payload, void* data) override {
-    cdr::FastBuffer buffer(reinterpret_cast<char*>(payload->data), payload->length);
-    cdr::Cdr decoder(buffer, cdr::Cdr::DEFAULT_ENDIAN, cdr::Cdr::DDS_CDR);
-    decoder.read_encapsulation();
-    static_cast<Message*>(data)->deserialize(decoder);
-    return true;
-  }
-  std::function<std::uint32_t()> getSerializedSizeProvider(void* data) override {
-    return [data] {
-      const Message& message = *static_cast<Message*>(data);
-      return static_cast<std::uint32_t>(Message::getCdrSerializedSize(message)) + 4U;
-    };
+  [[nodiscard]] std::size_t encoded_size(const void* data) const override {
+    return type_info<Message>().serialized_size(data);
   }
 };
 
@@ -184,7 +174,7 @@ dds::DataReader* RawParticipant::reader(const std::string& name,
 int take_all(dds::DataReader& reader, void* sample) {
   int count = 0;
   dds::SampleInfo info;
-  while (reader.take_next_sample(sample, &info) == ReturnCode::RETCODE_OK) {
+  while (reader.take_next_sample(sample, &info) == dds::RETCODE_OK) {
     count += info.valid_data ? 1 : 0;
   }
   return count;

@@ -4,43 +4,39 @@
 #include "fast_dds/instance_key.hpp"
 
 namespace tocsin {
+namespace {
 
-CdrTopicType::CdrTopicType(const TypeInfo& type) : type_(type) {
-  setName(type.name);
-  m_typeSize = 256;  // only a first guess: payloads are allocated by their real size
-  m_isGetKeyDefined = type.longest_key > 0;
-  auto_fill_type_object(false);
-  auto_fill_type_information(false);
+constexpr std::uint32_t first_bytes = 256;
+
+}  // namespace
+
+CdrTopicType::CdrTopicType(const TypeInfo& type)
+    : TopicType(type.name, first_bytes, type.longest_key > 0), type_(type) {}
+
+std::size_t CdrTopicType::encode(const void* data, std::uint8_t* to, std::size_t capacity) {
+  const auto& outgoing =
+      *static_cast<const OutgoingSample*>(static_cast<const CarriedMessage*>(data));
+  outgoing.bytes = type_.serialize(outgoing.content, to, capacity);
+  return outgoing.bytes;
 }
 
-bool CdrTopicType::serialize(void* data, Payload* payload) {
-  auto& outgoing = *static_cast<OutgoingSample*>(static_cast<CarriedMessage*>(data));
-  const std::size_t written = type_.serialize(outgoing.content, payload->data, payload->max_size);
-  outgoing.bytes = written;
-  payload->length = static_cast<std::uint32_t>(written);
-  payload->encapsulation = CDR_LE;
-  return written > 0;
-}
-
-bool CdrTopicType::deserialize(Payload* payload, void* data) {
+bool CdrTopicType::decode(const std::uint8_t* from, std::size_t size, void* data) {
   auto& incoming = *static_cast<IncomingSample*>(static_cast<CarriedMessage*>(data));
   if (incoming.skip) return true;
   incoming.message = type_.create();
-  incoming.bytes = payload->length;
-  incoming.valid = type_.deserialize(payload->data, payload->length, incoming.message.get());
+  incoming.bytes = static_cast<std::uint32_t>(size);
+  incoming.valid = type_.deserialize(from, size, incoming.message.get());
   incoming.content = incoming.valid ? incoming.message.get() : nullptr;
   return true;  // a sample that cannot be decoded is taken and dropped, not offered again
 }
 
-std::function<std::uint32_t()> CdrTopicType::getSerializedSizeProvider(void* data) {
-  const void* const message = static_cast<CarriedMessage*>(data)->content;
-  return [this, message] { return static_cast<std::uint32_t>(type_.serialized_size(message)); };
+std::size_t CdrTopicType::encoded_size(const void* data) const {
+  return type_.serialized_size(static_cast<const CarriedMessage*>(data)->content);
 }
 
-bool CdrTopicType::getKey(void* data, eprosima::fastrtps::rtps::InstanceHandle_t* hash,
-                          bool as_md5) {
-  const void* const message = static_cast<CarriedMessage*>(data)->content;
-  return message != nullptr && key_hash(type_, message, as_md5, *hash);
+bool CdrTopicType::find_key(const void* data, InstanceHandle& hash, bool as_md5) {
+  const void* const message = static_cast<const CarriedMessage*>(data)->content;
+  return message != nullptr && key_hash(type_, message, as_md5, hash);
 }
 
 }  // namespace tocsin

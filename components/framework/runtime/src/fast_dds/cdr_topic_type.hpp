@@ -2,11 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <fastdds/dds/topic/TopicDataType.hpp>
-#include <functional>
 #include <memory>
 
 #include "idl_support/type_info.hpp"
+#include "runtime/fast_dds/topic_type.hpp"
 
 namespace tocsin {
 
@@ -26,25 +25,25 @@ struct IncomingSample : CarriedMessage {
 /// What `write` is given; it fills in the size.
 struct OutgoingSample : CarriedMessage {
   explicit OutgoingSample(const void* message) : CarriedMessage{message} {}
-  std::size_t bytes = 0;
+  mutable std::size_t bytes = 0;
 };
 
 /// Tells Fast DDS about a type by its TypeInfo. Writers pass an OutgoingSample, readers an
 /// IncomingSample, as CarriedMessage. No type object, so that every vendor matches by name.
-class CdrTopicType : public eprosima::fastdds::dds::TopicDataType {
+class CdrTopicType final : public fast_dds::TopicType {
  public:
-  using Payload = eprosima::fastrtps::rtps::SerializedPayload_t;
   explicit CdrTopicType(const TypeInfo& type);
-  bool serialize(void* data, Payload* payload) override;
-  bool deserialize(Payload* payload, void* data) override;
-  std::function<std::uint32_t()> getSerializedSizeProvider(void* data) override;
-  void* createData() override { return static_cast<CarriedMessage*>(new IncomingSample); }
-  void deleteData(void* data) override {
-    delete static_cast<IncomingSample*>(static_cast<CarriedMessage*>(data));
-  }
-  bool getKey(void* data, eprosima::fastrtps::rtps::InstanceHandle_t* hash, bool as_md5) override;
 
  private:
+  std::size_t encode(const void* data, std::uint8_t* to, std::size_t capacity) override;
+  bool decode(const std::uint8_t* from, std::size_t size, void* data) override;
+  [[nodiscard]] std::size_t encoded_size(const void* data) const override;
+  [[nodiscard]] void* make() override { return static_cast<CarriedMessage*>(new IncomingSample); }
+  void destroy(void* data) override {
+    delete static_cast<IncomingSample*>(static_cast<CarriedMessage*>(data));
+  }
+  bool find_key(const void* data, InstanceHandle& hash, bool as_md5) override;
+
   const TypeInfo& type_;
 };
 

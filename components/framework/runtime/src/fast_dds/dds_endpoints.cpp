@@ -7,6 +7,7 @@
 #include "fast_dds/instance_key.hpp"
 #include "fast_dds/raw_ends.hpp"
 #include "rtps/origin.hpp"
+#include "runtime/fast_dds/names.hpp"
 #include "runtime/host_control.hpp"
 #include "transport/socket_wait.hpp"
 
@@ -14,8 +15,7 @@ namespace tocsin {
 namespace {
 
 namespace dds = eprosima::fastdds::dds;
-namespace rtps = eprosima::fastrtps::rtps;
-using ReturnCode = eprosima::fastrtps::types::ReturnCode_t;
+namespace rtps = eprosima::fastdds::rtps;
 
 Sample sample_of(IncomingSample& incoming, const dds::SampleInfo& info) {
   Sample sample;
@@ -50,7 +50,7 @@ DdsReader::~DdsReader() {
 bool DdsReader::next_is_own(Reader* reader) const {
   if (!skips_own_ || !own_matched_) return false;
   dds::SampleInfo info;
-  return reader->get_first_untaken_info(&info) == ReturnCode::RETCODE_OK &&
+  return reader->get_first_untaken_info(&info) == dds::RETCODE_OK &&
          participant_.owns(info.sample_identity.writer_guid());
 }
 
@@ -73,7 +73,7 @@ void DdsReader::drain(Reader* reader) {
   dds::SampleInfo info;
   for (;;) {
     incoming.skip = next_is_own(reader);  // spares the decoding
-    if (reader->take_next_sample(carried, &info) != ReturnCode::RETCODE_OK) return;
+    if (reader->take_next_sample(carried, &info) != dds::RETCODE_OK) return;
     if (incoming.skip) continue;
     if (skips_own_ && participant_.owns(info.sample_identity.writer_guid())) continue;
     info.valid_data ? hand_over(incoming, info) : hand_over_end(info);
@@ -198,7 +198,7 @@ DdsWriter::~DdsWriter() { participant_.remove(writer_); }
 bool DdsWriter::send(const void* message) {
   OutgoingSample outgoing(message);  // the overload of write that returns a bool hides the reason
   auto* const carried = static_cast<CarriedMessage*>(&outgoing);
-  const bool ok = writer_->write(carried, dds::HANDLE_NIL) == ReturnCode::RETCODE_OK;
+  const bool ok = writer_->write(carried, dds::HANDLE_NIL) == dds::RETCODE_OK;
   (ok ? sent_ : refused_).fetch_add(1, std::memory_order_relaxed);
   return ok;
 }
@@ -210,7 +210,7 @@ bool DdsWriter::end_instance(const void* message, InstanceState how) {
   auto* const carried = static_cast<CarriedMessage*>(&outgoing);
   return (how == InstanceState::disposed
               ? writer_->dispose(carried, dds::HANDLE_NIL)
-              : writer_->unregister_instance(carried, dds::HANDLE_NIL)) == ReturnCode::RETCODE_OK;
+              : writer_->unregister_instance(carried, dds::HANDLE_NIL)) == dds::RETCODE_OK;
 }
 
 EndpointHealth DdsWriter::health() const {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fastdds/dds/domain/DomainParticipantListener.hpp>
-
 #include <map>
 #include <memory>
 #include <mutex>
@@ -10,6 +8,7 @@
 #include <utility>
 
 #include "fast_dds/remote_ends.hpp"
+#include "runtime/fast_dds/discovery.hpp"
 #include "runtime/logger.hpp"
 
 namespace tocsin {
@@ -21,24 +20,21 @@ class PacketFilter;
 enum class Acquaintance { at_once, when_authenticated };
 
 /// Notes what discovery tells of other participants. Only notes: Fast DDS holds its locks then.
-class DiscoveryListener : public eprosima::fastdds::dds::DomainParticipantListener {
+class DiscoveryListener : public fast_dds::DiscoveryEvents {
  public:
   /// `filter`: learns who is authenticated.
   DiscoveryListener(RemoteEnds& ends, Acquaintance acquaintance,
                     std::shared_ptr<PacketFilter> filter)
       : ends_(ends), acquaintance_(acquaintance), filter_(std::move(filter)) {}
-  void on_participant_discovery(eprosima::fastdds::dds::DomainParticipant* participant,
-                                eprosima::fastrtps::rtps::ParticipantDiscoveryInfo&& info) override;
-  void on_publisher_discovery(eprosima::fastdds::dds::DomainParticipant* participant,
-                              eprosima::fastrtps::rtps::WriterDiscoveryInfo&& info) override;
-  void on_subscriber_discovery(eprosima::fastdds::dds::DomainParticipant* participant,
-                               eprosima::fastrtps::rtps::ReaderDiscoveryInfo&& info) override;
-  void onParticipantAuthentication(
-      eprosima::fastdds::dds::DomainParticipant* participant,
-      eprosima::fastrtps::rtps::ParticipantAuthenticationInfo&& info) override;
 
  private:
-  using Prefix = eprosima::fastrtps::rtps::GuidPrefix_t;
+  using Prefix = eprosima::fastdds::rtps::GuidPrefix_t;
+  void on_participant(const fast_dds::DiscoveredParticipant& participant,
+                      fast_dds::Presence presence) override;
+  void on_authentication(const Prefix& participant, bool authorized) override;
+  void on_end(const fast_dds::DiscoveredEnd& end, bool writer,
+              fast_dds::Presence presence) override;
+
   RemoteEnds& ends_;
   const Acquaintance acquaintance_;
   const std::shared_ptr<PacketFilter> filter_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fast_dds/fast_dds_participant.hpp"
 
-#include <fastrtps/xmlparser/XMLProfileManager.h>
 #include <chrono>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
@@ -13,6 +12,7 @@
 #include "foundation/error.hpp"
 #include "graph/ros_graph.hpp"
 #include "idl_support/type_registry.hpp"
+#include "runtime/fast_dds/settings.hpp"
 #include "runtime/middleware/fast_dds_qos.hpp"
 #include "runtime/middleware/idl_libraries.hpp"
 #include "transport/packet_filter.hpp"
@@ -21,8 +21,7 @@ namespace tocsin {
 namespace {
 
 namespace dds = eprosima::fastdds::dds;
-namespace rtps = eprosima::fastrtps::rtps;
-using ReturnCode = eprosima::fastrtps::types::ReturnCode_t;
+namespace rtps = eprosima::fastdds::rtps;
 
 /// Empty when no library here has the type.
 std::string known_hash(const char* type) {
@@ -54,11 +53,8 @@ dds::Subscriber* subscriber_of(dds::DataReader* reader) {
 /// Packets, not calls, between the participants of this process: what mends discovery after a lease
 /// (AckNackCounts) and what bounds it (PacketFilter) stand before the sockets.
 void deliver_by_packets() {
-  using eprosima::fastrtps::xmlparser::XMLProfileManager;
   static const bool done = [] {
-    eprosima::fastrtps::LibrarySettingsAttributes settings;
-    settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
-    XMLProfileManager::library_settings(settings);
+    fast_dds::deliver_by_packets();
     return true;
   }();
   (void)done;
@@ -81,8 +77,7 @@ template <class Holder>
 bool move_to(Holder* holder, const std::vector<std::string>& partition) {
   const auto before = holder->get_qos().partition().getNames();
   if (before == partition || before == announced(partition)) return true;
-  return holder->set_qos(in_partition(holder->get_qos(), announced(partition))) ==
-         ReturnCode::RETCODE_OK;
+  return holder->set_qos(in_partition(holder->get_qos(), announced(partition))) == dds::RETCODE_OK;
 }
 
 }  // namespace
@@ -163,14 +158,14 @@ bool FastDdsParticipant::change(dds::DataWriter* writer, const QosProfile& profi
   qos.deadline().period = dds_duration(profile.deadline_s);
   qos.lifespan().duration = dds_duration(profile.lifespan_s);
   qos.ownership_strength().value = static_cast<std::uint32_t>(profile.ownership_strength);
-  return writer->set_qos(qos) == ReturnCode::RETCODE_OK &&
+  return writer->set_qos(qos) == dds::RETCODE_OK &&
          move_to(publisher_of(writer), profile.partition);
 }
 
 bool FastDdsParticipant::change(dds::DataReader* reader, const QosProfile& profile) {
   dds::DataReaderQos qos = reader->get_qos();
   qos.deadline().period = dds_duration(profile.deadline_s);
-  return reader->set_qos(qos) == ReturnCode::RETCODE_OK &&
+  return reader->set_qos(qos) == dds::RETCODE_OK &&
          move_to(subscriber_of(reader), profile.partition);
 }
 

@@ -12,6 +12,7 @@
 #include "fast_dds/fast_dds_transport.hpp"
 #include "foundation/time.hpp"
 #include "idl_support/type_info.hpp"
+#include "runtime/fast_dds/names.hpp"
 #include "runtime/middleware/qos_policies.hpp"
 
 namespace tocsin {
@@ -43,15 +44,13 @@ class FastDdsParticipant {
   void remove(eprosima::fastdds::dds::DataWriter* writer);
   void remove(eprosima::fastdds::dds::DataReader* reader);
   /// Whether a writer is one of this participant's own.
-  [[nodiscard]] bool owns(const eprosima::fastrtps::rtps::GUID_t& writer) const {
+  [[nodiscard]] bool owns(const eprosima::fastdds::rtps::GUID_t& writer) const {
     return writer.guidPrefix == prefix_;
   }
-  [[nodiscard]] const eprosima::fastrtps::rtps::GuidPrefix_t& prefix() const { return prefix_; }
-  [[nodiscard]] const eprosima::fastrtps::rtps::GUID_t& guid() const {
-    return participant_->guid();
-  }
+  [[nodiscard]] const eprosima::fastdds::rtps::GuidPrefix_t& prefix() const { return prefix_; }
+  [[nodiscard]] const eprosima::fastdds::rtps::GUID_t& guid() const { return participant_->guid(); }
   /// Another instance of a peer has taken the place of this one: see RtpsFilter.
-  void supersede(const eprosima::fastrtps::rtps::GuidPrefix_t& participant);
+  void supersede(const eprosima::fastdds::rtps::GuidPrefix_t& participant);
   [[nodiscard]] const RemoteEnds& remote_ends() const { return remote_ends_; }
 
  private:
@@ -68,7 +67,7 @@ class FastDdsParticipant {
       options_.enclave.empty() ? Acquaintance::at_once : Acquaintance::when_authenticated,
       options_.filter};
   eprosima::fastdds::dds::DomainParticipant* participant_ = nullptr;
-  eprosima::fastrtps::rtps::GuidPrefix_t prefix_;
+  eprosima::fastdds::rtps::GuidPrefix_t prefix_;
   std::mutex mutex_;
   std::atomic<Duration> farewell_;
 };

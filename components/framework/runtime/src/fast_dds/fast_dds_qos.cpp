@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/middleware/fast_dds_qos.hpp"
+#include "runtime/fast_dds/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,7 @@ namespace tocsin {
 namespace {
 
 namespace dds = eprosima::fastdds::dds;
-namespace rtps = eprosima::fastrtps::rtps;
+namespace rtps = eprosima::fastdds::rtps;
 using Scheduler = eprosima::fastdds::rtps::FlowControllerSchedulerPolicy;
 
 dds::LivelinessQosPolicyKind liveliness_kind(const QosProfile& profile) {
@@ -76,10 +77,10 @@ void apply_publishing(const QosProfile& profile, dds::DataWriterQos& qos) {
 
 }  // namespace
 
-eprosima::fastrtps::Duration_t dds_duration(double s) {
+eprosima::fastdds::dds::Duration_t dds_duration(double s) {
   constexpr std::int64_t ns_in_s = 1'000'000'000;
   if (s >= static_cast<double>(std::numeric_limits<std::int32_t>::max())) {
-    return eprosima::fastrtps::c_TimeInfinite;
+    return dds::c_TimeInfinite;
   }
   const std::int64_t ns = std::llround(s * static_cast<double>(ns_in_s));
   return {static_cast<std::int32_t>(ns / ns_in_s), static_cast<std::uint32_t>(ns % ns_in_s)};
@@ -92,11 +93,11 @@ dds::DataWriterQos writer_qos(const QosProfile& profile, Keys keys) {
   // Who does not write an instance any more says only that.
   qos.writer_data_lifecycle().autodispose_unregistered_instances = keys == Keys::none;
   apply_publishing(profile, qos);
-  auto& times = qos.reliable_writer_qos().times;
-  times.initialHeartbeatDelay = dds_duration(profile.initial_heartbeat_delay_s);
-  times.heartbeatPeriod = dds_duration(profile.heartbeat_period_s);
-  times.nackResponseDelay = dds_duration(profile.nack_response_delay_s);
-  times.nackSupressionDuration = dds_duration(profile.nack_suppression_s);
+  fast_dds::set_times(fast_dds::WriterTimes{dds_duration(profile.initial_heartbeat_delay_s),
+                                            dds_duration(profile.heartbeat_period_s),
+                                            dds_duration(profile.nack_response_delay_s),
+                                            dds_duration(profile.nack_suppression_s)},
+                      qos);
   qos.reliable_writer_qos().disable_heartbeat_piggyback = !profile.heartbeat_piggyback;
   qos.ownership_strength().value = static_cast<std::uint32_t>(profile.ownership_strength);
   return qos;
@@ -115,11 +116,12 @@ dds::DataReaderQos reader_qos(const QosProfile& profile, Keys keys) {
   }
   // The writer lets go of what is too old. A reader of Fast DDS would compare the writer's wall
   // clock with its own, and drop every sample of a host whose clock is behind by the lifespan.
-  qos.lifespan().duration = eprosima::fastrtps::c_TimeInfinite;
-  auto& times = qos.reliable_reader_qos().times;
-  times.initialAcknackDelay = dds_duration(profile.initial_acknack_delay_s);
-  times.heartbeatResponseDelay =
-      dds_duration(std::max(profile.heartbeat_response_delay_s, least_response_delay_s));
+  qos.lifespan().duration = dds::c_TimeInfinite;
+  fast_dds::set_times(
+      fast_dds::ReaderTimes{
+          dds_duration(profile.initial_acknack_delay_s),
+          dds_duration(std::max(profile.heartbeat_response_delay_s, least_response_delay_s))},
+      qos);
   return qos;
 }
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fast_dds/fast_dds_transport.hpp"
 
-#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
-#include <fastrtps/utils/IPLocator.h>
-
 #include <filesystem>
 
 #include "keystore/enclave.hpp"
+#include "runtime/fast_dds/names.hpp"
+#include "runtime/fast_dds/transport.hpp"
 #include "runtime/middleware/fast_dds_qos.hpp"
 #include "runtime/middleware/link_limits.hpp"
 #include "transport/host_multicast.hpp"
@@ -19,7 +18,7 @@ namespace tocsin {
 namespace {
 
 namespace dds = eprosima::fastdds::dds;
-namespace rtps = eprosima::fastrtps::rtps;
+namespace rtps = eprosima::fastdds::rtps;
 using eprosima::fastdds::rtps::UDPv4TransportDescriptor;
 
 /// A picture of a few MB in one burst must fit; the kernel caps it at net.core.rmem_max.

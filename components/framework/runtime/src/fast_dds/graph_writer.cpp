@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fast_dds/graph_writer.hpp"
 #include "graph/ros_graph.hpp"
+#include "runtime/fast_dds/names.hpp"
 
 #include <utility>
 
@@ -25,7 +26,7 @@ void GraphWriter::tell(const std::vector<GraphNode>& nodes) {
     writer_ = std::make_unique<RawWriter>(
         participant_, RawEnd{discovery_topic, discovery_type, discovery_qos(1)});
   }
-  eprosima::fastrtps::rtps::WriteParams params;
+  eprosima::fastdds::rtps::WriteParams params;
   if (writer_->write(bytes, params)) last_ = std::move(bytes);
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fast_dds/instance_key.hpp"
-
-#include <fastrtps/utils/md5.h>
+#include "runtime/fast_dds/names.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -27,12 +26,12 @@ std::vector<std::uint8_t> key_of(const TypeInfo& type, const void* message) {
 }  // namespace
 
 bool key_hash(const TypeInfo& type, const void* message, bool as_md5,
-              eprosima::fastrtps::rtps::InstanceHandle_t& hash) {
+              eprosima::fastdds::rtps::InstanceHandle_t& hash) {
   if (type.longest_key == 0) return false;
   const std::vector<std::uint8_t> key = key_of(type, message);
   std::uint8_t bytes[hash_bytes] = {};
   if (as_md5 || type.longest_key > hash_bytes) {
-    MD5 md5;
+    eprosima::fastdds::MD5 md5;
     md5.init();
     md5.update(key.data(), static_cast<unsigned>(key.size()));
     md5.finalize();
@@ -44,7 +43,7 @@ bool key_hash(const TypeInfo& type, const void* message, bool as_md5,
   return true;
 }
 
-std::uint64_t instance_of(const eprosima::fastrtps::rtps::InstanceHandle_t& hash) {
+std::uint64_t instance_of(const eprosima::fastdds::rtps::InstanceHandle_t& hash) {
   std::uint64_t number = 14695981039346656037U;  // FNV-1a, as short keys differ in a few bits only
   for (std::size_t i = 0; i < hash_bytes; ++i) {
     number = (number ^ hash.value[i]) * 1099511628211U;
@@ -53,7 +52,7 @@ std::uint64_t instance_of(const eprosima::fastrtps::rtps::InstanceHandle_t& hash
 }
 
 std::uint64_t instance_of(const TypeInfo& type, const void* message) {
-  eprosima::fastrtps::rtps::InstanceHandle_t hash;
+  eprosima::fastdds::rtps::InstanceHandle_t hash;
   return key_hash(type, message, false, hash) ? instance_of(hash) : 0;
 }
 

@@ -6,13 +6,13 @@
 
 #include "fast_dds/cdr_topic_type.hpp"
 #include "idl_support/raw_type.hpp"
+#include "runtime/fast_dds/names.hpp"
 
 namespace tocsin {
 namespace {
 
 namespace dds = eprosima::fastdds::dds;
-namespace rtps = eprosima::fastrtps::rtps;
-using ReturnCode = eprosima::fastrtps::types::ReturnCode_t;
+namespace rtps = eprosima::fastdds::rtps;
 
 std::shared_ptr<const RawReader::Bytes> bytes_of(IncomingSample& incoming) {
   const auto encoded = std::static_pointer_cast<const EncodedMessage>(incoming.message);
@@ -48,7 +48,7 @@ void RawReader::drain(Reader* reader) {
   IncomingSample incoming;
   dds::SampleInfo info;
   while (reader->take_next_sample(static_cast<CarriedMessage*>(&incoming), &info) ==
-         ReturnCode::RETCODE_OK) {
+         dds::RETCODE_OK) {
     if (info.valid_data && incoming.valid) on_sample_(bytes_of(incoming), info);
   }
 }
@@ -69,7 +69,7 @@ RawWriter::~RawWriter() { participant_.remove(writer_); }
 bool RawWriter::write(std::vector<std::uint8_t> bytes, rtps::WriteParams& params) {
   const EncodedMessage message{std::move(bytes)};
   OutgoingSample outgoing(&message);
-  return writer_->write(static_cast<CarriedMessage*>(&outgoing), params);
+  return fast_dds::is_ok(writer_->write(static_cast<CarriedMessage*>(&outgoing), params));
 }
 
 Gid RawWriter::gid() const { return gid_of(writer_->guid()); }

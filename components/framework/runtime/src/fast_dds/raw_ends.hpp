@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fastdds/rtps/common/WriteParams.h>
 #include <fastdds/dds/publisher/DataWriterListener.hpp>
 #include <fastdds/dds/subscriber/DataReaderListener.hpp>
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
@@ -15,11 +14,12 @@
 #include "fast_dds/fast_dds_participant.hpp"
 #include "fast_dds/single_drainer.hpp"
 #include "graph/ros_graph.hpp"
+#include "runtime/fast_dds/names.hpp"
 
 namespace tocsin {
 
 /// A GUID as ROS 2 sends it.
-[[nodiscard]] Gid gid_of(const eprosima::fastrtps::rtps::GUID_t& guid);
+[[nodiscard]] Gid gid_of(const eprosima::fastdds::rtps::GUID_t& guid);
 
 /// An end as it stands on the wire.
 struct RawEnd {
@@ -29,7 +29,7 @@ struct RawEnd {
 };
 
 /// An end at the other side came or went. Called by threads of Fast DDS; must not call it.
-using OnMatch = std::function<void(const eprosima::fastrtps::rtps::GUID_t& other, bool there)>;
+using OnMatch = std::function<void(const eprosima::fastdds::rtps::GUID_t& other, bool there)>;
 
 /// Reads encoded messages of any type, its own process's too. The callbacks are called by threads
 /// of Fast DDS and must not write.
@@ -67,7 +67,7 @@ class RawWriter : private eprosima::fastdds::dds::DataWriterListener {
   /// `bytes` begin with their encapsulation header. False when the middleware refused it; `params`
   /// tell its number then.
   [[nodiscard]] bool write(std::vector<std::uint8_t> bytes,
-                           eprosima::fastrtps::rtps::WriteParams& params);
+                           eprosima::fastdds::rtps::WriteParams& params);
   [[nodiscard]] Gid gid() const;
 
  private:

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fastdds/rtps/common/Guid.h>
-
 #include <functional>
 #include <limits>
 #include <map>
@@ -11,6 +9,7 @@
 #include <vector>
 
 #include "runtime/bus.hpp"
+#include "runtime/fast_dds/names.hpp"
 #include "runtime/middleware/qos_policies.hpp"
 
 namespace tocsin {
@@ -44,8 +43,8 @@ inline constexpr const char* participant_user_data = "enclave=/;tocsin=1;";
 /// The ends that other participants have announced. Thread-safe.
 class RemoteEnds {
  public:
-  using Guid = eprosima::fastrtps::rtps::GUID_t;
-  using Participant = eprosima::fastrtps::rtps::GuidPrefix_t;
+  using Guid = eprosima::fastdds::rtps::GUID_t;
+  using Participant = eprosima::fastdds::rtps::GuidPrefix_t;
 
   /// Whoever wants to know what comes and goes. Called without a lock held.
   using OnEnd = std::function<void(const Guid&, const AnnouncedEnd&, bool there)>;

@@ -7,12 +7,13 @@
 #include "idl_support/decode.hpp"
 #include "idl_support/encode.hpp"
 #include "rtps/this_host.hpp"
+#include "runtime/fast_dds/names.hpp"
 
 namespace tocsin {
 namespace {
 
 namespace dds = eprosima::fastdds::dds;
-namespace rtps = eprosima::fastrtps::rtps;
+namespace rtps = eprosima::fastdds::rtps;
 
 /// Numbers of calls with a header begin here, so that they are none of Fast DDS.
 constexpr std::int64_t first_headed = std::int64_t{1} << 62;

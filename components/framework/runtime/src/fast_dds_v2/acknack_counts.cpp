@@ -5,6 +5,7 @@
 #include <cstring>
 #include <optional>
 
+#include "runtime/fast_dds/names.hpp"
 #include "runtime/middleware/rtps_message.hpp"
 
 namespace tocsin {
@@ -121,7 +122,7 @@ std::pair<const std::uint8_t*, std::size_t> AckNackCounts::translate(
     copied = end;
   };
   each_acknack(message, size, [&](const AckNack& one) {
-    using eprosima::fastrtps::rtps::GuidPrefix_t;
+    using eprosima::fastdds::rtps::GuidPrefix_t;
     const GuidPrefix_t prefix = id_at<GuidPrefix_t>(message + prefix_at);
     const Pair pair{{prefix, id_at<Entity>(message + one.content)},
                     id_at<Entity>(message + one.content + writer_at)};

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fastdds/rtps/common/Guid.h>
-
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -10,6 +8,8 @@
 #include <optional>
 #include <utility>
 #include <vector>
+
+#include "runtime/fast_dds/names.hpp"
 
 namespace tocsin {
 
@@ -35,8 +35,8 @@ class AckNackCounts {
       const std::uint8_t* message, std::size_t size, std::vector<std::uint8_t>& changed);
 
  private:
-  using Entity = eprosima::fastrtps::rtps::EntityId_t;
-  using Pair = std::pair<eprosima::fastrtps::rtps::GUID_t, Entity>;  ///< a reader and a writer
+  using Entity = eprosima::fastdds::rtps::EntityId_t;
+  using Pair = std::pair<eprosima::fastdds::rtps::GUID_t, Entity>;  ///< a reader and a writer
   struct Count {
     std::uint32_t heard = 0;  ///< last one of the reader
     std::uint32_t told = 0;   ///< what it became

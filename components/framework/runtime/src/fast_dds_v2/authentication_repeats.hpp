@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fastdds/rtps/common/Locator.h>
-#include <fastdds/rtps/common/GuidPrefix_t.hpp>
-
 #include <cstddef>
 #include <cstdint>
 #include <list>
@@ -14,6 +11,7 @@
 
 #include "fast_dds_v2/repeat_times.hpp"
 #include "foundation/time.hpp"
+#include "runtime/fast_dds/names.hpp"
 
 namespace tocsin {
 
@@ -25,14 +23,14 @@ namespace tocsin {
 /// has not used before is its answer. Pure; any thread; `now` never decreases.
 class AuthenticationRepeats {
  public:
-  using Participant = eprosima::fastrtps::rtps::GuidPrefix_t;
+  using Participant = eprosima::fastdds::rtps::GuidPrefix_t;
   using Packet = std::vector<std::uint8_t>;
   /// At the same time; beyond that the oldest are not repeated any more.
   static constexpr std::size_t most_messages = 8;
 
   struct Due {
     std::vector<Packet> packets;
-    eprosima::fastrtps::rtps::Locator_t to;
+    eprosima::fastdds::rtps::Locator_t to;
   };
   void sent(const Participant& addressee, Due message, Time now);
   /// Any packet that has arrived.

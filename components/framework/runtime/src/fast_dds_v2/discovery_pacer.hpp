@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fastdds/rtps/common/Locator.h>
-
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -11,6 +9,7 @@
 #include <vector>
 
 #include "foundation/time.hpp"
+#include "runtime/fast_dds/names.hpp"
 #include "runtime/middleware/rtps_message.hpp"
 
 namespace tocsin {
@@ -31,7 +30,7 @@ class DiscoveryPacer {
 
   struct Held {
     std::vector<std::uint8_t> message;
-    eprosima::fastrtps::rtps::Locator_t to;
+    eprosima::fastdds::rtps::Locator_t to;
   };
 
   /// Whether a message of this key is to be sent now. If not it is kept for `take_due`.
@@ -47,7 +46,7 @@ class DiscoveryPacer {
     std::optional<Held> held;
   };
   void forget_idle(Time now);
-  std::map<std::pair<StateKey, eprosima::fastrtps::rtps::Locator_t>, State> states_;
+  std::map<std::pair<StateKey, eprosima::fastdds::rtps::Locator_t>, State> states_;
 };
 
 }  // namespace tocsin

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fastdds/rtps/common/Locator.h>
-
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -12,6 +10,7 @@
 
 #include "fast_dds_v2/repeat_times.hpp"
 #include "foundation/time.hpp"
+#include "runtime/fast_dds/names.hpp"
 
 namespace tocsin {
 
@@ -31,7 +30,7 @@ class KeyRepeats {
 
   struct Packet {
     std::vector<std::uint8_t> bytes;
-    eprosima::fastrtps::rtps::Locator_t to;
+    eprosima::fastdds::rtps::Locator_t to;
   };
   /// Takes the place of the last one of its kind to that address.
   void sent(Packet packet, Time now);
@@ -40,7 +39,7 @@ class KeyRepeats {
   [[nodiscard]] Time deadline() const;
 
  private:
-  using Key = std::pair<eprosima::fastrtps::rtps::Locator_t, bool>;  ///< whether it has keys
+  using Key = std::pair<eprosima::fastdds::rtps::Locator_t, bool>;  ///< whether it has keys
   struct Last {
     std::vector<std::uint8_t> bytes;
     RepeatTimes times;

@@ -7,6 +7,7 @@
 #include "graph/ros_graph.hpp"
 #include "link/encoded_piece.hpp"
 #include "rtps/origin.hpp"
+#include "runtime/fast_dds/names.hpp"
 #include "runtime/middleware/link_bus.hpp"
 #include "transport/socket_wait.hpp"
 
@@ -14,8 +15,7 @@ namespace tocsin {
 namespace {
 
 namespace dds = eprosima::fastdds::dds;
-namespace rtps = eprosima::fastrtps::rtps;
-using ReturnCode = eprosima::fastrtps::types::ReturnCode_t;
+namespace rtps = eprosima::fastdds::rtps;
 
 /// Samples of a burst that wait until a thread of Fast DDS has handed them on. What is repaired
 /// comes in larger ones: all that waited behind a lost sample, or a writer's whole history.
@@ -78,7 +78,7 @@ void FlowReader::drain(Reader* reader) {
   IncomingSample incoming;
   dds::SampleInfo info;
   while (reader->take_next_sample(static_cast<CarriedMessage*>(&incoming), &info) ==
-         ReturnCode::RETCODE_OK) {
+         dds::RETCODE_OK) {
     if (!info.valid_data || participant_.owns(info.sample_identity.writer_guid())) continue;
     if (incoming.valid) on_sample_(taken(incoming, info));
   }
@@ -102,14 +102,16 @@ std::optional<std::uint64_t> FlowWriter::write(const CarriedSample& sample, Samp
   OutgoingSample outgoing(piece.is_whole() ? sample.content.get() : &part);
   rtps::WriteParams params =
       on_behalf_of({sample.source, sample.sequence, piece, sample.coding}, sample.sent_wall_ns);
-  if (!writer_->write(static_cast<CarriedMessage*>(&outgoing), params)) return std::nullopt;
+  auto* const carried = static_cast<CarriedMessage*>(&outgoing);
+  if (!fast_dds::is_ok(writer_->write(carried, params))) return std::nullopt;
   return params.sample_identity().sequence_number().to64long();
 }
 
 std::optional<std::uint64_t> FlowWriter::write_own(const CarriedSample& sample) {
   OutgoingSample outgoing(sample.content.get());
   rtps::WriteParams params;
-  if (!writer_->write(static_cast<CarriedMessage*>(&outgoing), params)) return std::nullopt;
+  auto* const carried = static_cast<CarriedMessage*>(&outgoing);
+  if (!fast_dds::is_ok(writer_->write(carried, params))) return std::nullopt;
   return params.sample_identity().sequence_number().to64long();
 }
 

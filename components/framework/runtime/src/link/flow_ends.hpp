@@ -14,6 +14,7 @@
 #include "fast_dds/node_ends.hpp"
 #include "fast_dds/single_drainer.hpp"
 #include "graph/ros_graph.hpp"
+#include "runtime/fast_dds/names.hpp"
 #include "runtime/middleware/link_bus.hpp"
 
 namespace tocsin {
@@ -29,7 +30,7 @@ struct ReaderKey {
 
 /// One sample as a reader of any type takes it.
 struct TakenSample {
-  eprosima::fastrtps::rtps::GUID_t writer;
+  eprosima::fastdds::rtps::GUID_t writer;
   std::uint64_t number = 0;  ///< of its DDS writer
   CarriedSample sample;      ///< of its origin, where the writer tells one
   SamplePiece piece{};       ///< its content is of this
@@ -63,7 +64,7 @@ class FlowReader : private eprosima::fastdds::dds::DataReaderListener {
 /// with the participant of each reader that is matched, and of each that is not any more (false).
 class FlowWriter : private eprosima::fastdds::dds::DataWriterListener {
  public:
-  using OnReader = std::function<void(const eprosima::fastrtps::rtps::GuidPrefix_t&, bool there)>;
+  using OnReader = std::function<void(const eprosima::fastdds::rtps::GuidPrefix_t&, bool there)>;
   /// Throws EnvironmentError when Fast DDS cannot make it.
   FlowWriter(FastDdsParticipant& participant, const std::string& topic, const std::string& type,
              const QosProfile& qos, OnReader on_reader);
@@ -76,7 +77,7 @@ class FlowWriter : private eprosima::fastdds::dds::DataWriterListener {
                                                    SamplePiece piece = {});
   /// Without origin and time of sending: of nobody's but the router's own.
   [[nodiscard]] std::optional<std::uint64_t> write_own(const CarriedSample& sample);
-  [[nodiscard]] eprosima::fastrtps::rtps::EntityId_t entity() const;
+  [[nodiscard]] eprosima::fastdds::rtps::EntityId_t entity() const;
 
  private:
   using Writer = eprosima::fastdds::dds::DataWriter;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fastdds/rtps/common/Guid.h>
-
 #include <deque>
 #include <functional>
 #include <map>
@@ -15,6 +13,7 @@
 #include "fast_dds/remote_ends.hpp"
 #include "link/peer_instances.hpp"
 #include "qos/topic_names.hpp"
+#include "runtime/fast_dds/names.hpp"
 #include "runtime/logger.hpp"
 #include "runtime/middleware/link_bus.hpp"
 
@@ -26,8 +25,8 @@ namespace tocsin {
 /// is called without a lock held.
 class FlowTable {
  public:
-  using Guid = eprosima::fastrtps::rtps::GUID_t;
-  using Participant = eprosima::fastrtps::rtps::GuidPrefix_t;
+  using Guid = eprosima::fastdds::rtps::GUID_t;
+  using Participant = eprosima::fastdds::rtps::GuidPrefix_t;
   /// Many more than a robot has topics.
   static constexpr std::size_t most_flows = 1024;
   /// Of all peers.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fastdds/rtps/common/GuidPrefix_t.hpp>
-
 #include <mutex>
 #include <set>
+
+#include "runtime/fast_dds/names.hpp"
 
 namespace tocsin {
 
@@ -12,7 +12,7 @@ namespace tocsin {
 /// pieces of samples. Thread-safe.
 class OutsideReaders {
  public:
-  using Participant = eprosima::fastrtps::rtps::GuidPrefix_t;
+  using Participant = eprosima::fastdds::rtps::GuidPrefix_t;
 
   void on_router(const Participant& participant) {
     const std::lock_guard<std::mutex> lock(mutex_);

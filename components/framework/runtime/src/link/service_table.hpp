@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fastdds/rtps/common/Guid.h>
-
 #include <deque>
 #include <functional>
 #include <map>
@@ -11,6 +9,7 @@
 #include <string>
 
 #include "fast_dds/remote_ends.hpp"
+#include "runtime/fast_dds/names.hpp"
 #include "runtime/middleware/host_services.hpp"
 
 namespace tocsin {
@@ -19,7 +18,7 @@ namespace tocsin {
 /// Any thread; `on_event` is called without a lock held.
 class ServiceTable {
  public:
-  using Guid = eprosima::fastrtps::rtps::GUID_t;
+  using Guid = eprosima::fastdds::rtps::GUID_t;
   ServiceTable(const std::string& ros_namespace, std::function<void()> on_event);
 
   /// An end of whatever topic was announced, or is gone.

@@ -116,7 +116,8 @@ void QosProfiles::read_profile(const std::string& name, const YAML::Node& node) 
 }
 
 void QosProfiles::read_flow_controllers(const YAML::Node& node) {
-  for (const auto& entry : need_map(node, "flow_controllers", sources_)) {
+  const YAML::Node flow_controllers = need_map(node, "flow_controllers", sources_);
+  for (const auto& entry : flow_controllers) {
     const std::string name = entry.first.Scalar();
     const auto controller =
         load_parameters<FlowController>(entry.second, "flow_controllers." + name, sources_);
@@ -132,7 +133,8 @@ void QosProfiles::read_flow_controllers(const YAML::Node& node) {
 }
 
 void QosProfiles::read_overrides(const YAML::Node& node) {
-  for (const auto& entry : need_map(node, "topics", sources_)) {
+  const YAML::Node topics = need_map(node, "topics", sources_);
+  for (const auto& entry : topics) {
     const std::string name = entry.first.Scalar();
     TopicOverride& own = overrides_[name];
     const auto read = load_parameters<OverrideParams>(entry.second, "topics." + name, sources_);

@@ -6,11 +6,12 @@
 #include <string>
 
 #include "foundation/hash.hpp"
+#include "runtime/fast_dds/names.hpp"
 
 namespace tocsin {
 namespace {
 
-namespace rtps = eprosima::fastrtps::rtps;
+namespace rtps = eprosima::fastdds::rtps;
 
 constexpr std::array<rtps::octet, 4> mark{'t', 'c', 's', 'n'};
 constexpr std::size_t source_bytes = 8;

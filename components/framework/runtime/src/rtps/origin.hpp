@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fastdds/rtps/common/SampleIdentity.h>
-#include <fastdds/rtps/common/WriteParams.h>
-
 #include <cstdint>
 #include <optional>
 
 #include "foundation/sample_coding.hpp"
 #include "foundation/sample_piece.hpp"
+#include "runtime/fast_dds/names.hpp"
 
 namespace tocsin {
 
@@ -25,17 +23,17 @@ struct Origin {
 };
 
 /// Source of what a DDS writer writes itself, see Sample: a hash of its GUID.
-[[nodiscard]] std::uint64_t source_of(const eprosima::fastrtps::rtps::GUID_t& writer);
+[[nodiscard]] std::uint64_t source_of(const eprosima::fastdds::rtps::GUID_t& writer);
 
 /// An entity id as a number, its first byte the highest.
-[[nodiscard]] std::uint32_t wire_id_of(const eprosima::fastrtps::rtps::EntityId_t& entity);
+[[nodiscard]] std::uint32_t wire_id_of(const eprosima::fastdds::rtps::EntityId_t& entity);
 
-[[nodiscard]] eprosima::fastrtps::rtps::SampleIdentity identity_of(const Origin& origin);
+[[nodiscard]] eprosima::fastdds::rtps::SampleIdentity identity_of(const Origin& origin);
 /// Nothing when the identity is not one of `identity_of`.
 [[nodiscard]] std::optional<Origin> origin_in(
-    const eprosima::fastrtps::rtps::SampleIdentity& identity);
+    const eprosima::fastdds::rtps::SampleIdentity& identity);
 /// For a write on behalf of `origin`, who wrote at `sent_wall_ns` [ns since the Unix epoch].
-[[nodiscard]] eprosima::fastrtps::rtps::WriteParams on_behalf_of(const Origin& origin,
-                                                                 std::int64_t sent_wall_ns);
+[[nodiscard]] eprosima::fastdds::rtps::WriteParams on_behalf_of(const Origin& origin,
+                                                                std::int64_t sent_wall_ns);
 
 }  // namespace tocsin

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/middleware/rtps_message.hpp"
+#include "runtime/fast_dds/names.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +8,7 @@
 namespace tocsin {
 namespace {
 
-namespace rtps = eprosima::fastrtps::rtps;
+namespace rtps = eprosima::fastdds::rtps;
 
 constexpr std::size_t entity_bytes = 4;
 constexpr std::size_t prefix_bytes = 12;

@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/fast_dds/names.hpp"
 #include "runtime/middleware/rtps_message.hpp"
 
 namespace tocsin {
 namespace {
 
-namespace rtps = eprosima::fastrtps::rtps;
+namespace rtps = eprosima::fastdds::rtps;
 
 constexpr std::uint8_t data = 0x15;  // RTPS 2.2 section 9.4.5.1.1
 constexpr std::uint8_t data_frag = 0x16;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fastdds/rtps/common/Guid.h>
-
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -12,6 +10,7 @@
 #include <utility>
 
 #include "foundation/time.hpp"
+#include "runtime/fast_dds/names.hpp"
 
 namespace tocsin {
 
@@ -24,7 +23,7 @@ namespace tocsin {
 /// other are not that far apart. The reader must be made anew. Any thread.
 class WriterNumbers {
  public:
-  using Guid = eprosima::fastrtps::rtps::GUID_t;
+  using Guid = eprosima::fastdds::rtps::GUID_t;
   static constexpr Duration contradicts_after = std::chrono::milliseconds(300);
   /// Beyond them all are forgotten.
   static constexpr std::size_t most_writers = 4096;

@@ -2,14 +2,13 @@
 #include "transport/guarded_transport.hpp"
 
 #include <arpa/inet.h>
-#include <fastdds/rtps/transport/ChainingTransport.h>
-#include <fastdds/rtps/transport/ChainingTransportDescriptor.h>
-#include <fastrtps/utils/IPLocator.h>
 
 #include <chrono>
 #include <optional>
 
 #include "fast_dds_v2/key_onlys.hpp"
+#include "runtime/fast_dds/names.hpp"
+#include "runtime/fast_dds/transport.hpp"
 #include "transport/host_multicast.hpp"
 #include "transport/packet_filter.hpp"
 #include "transport/receptions.hpp"
@@ -18,9 +17,8 @@
 namespace tocsin {
 namespace {
 
-namespace rtps = eprosima::fastrtps::rtps;
+namespace rtps = eprosima::fastdds::rtps;
 using namespace eprosima::fastdds::rtps;
-using rtps::IPLocator;
 
 struct GuardedDescriptor : ChainingTransportDescriptor {
   explicit GuardedDescriptor(GuardedTransportParts its_parts)
@@ -49,10 +47,10 @@ struct Ends {
 };
 
 /// Receives through the chain, or by two radios, and sends without it.
-class GuardedTransport : public ChainingTransport {
+class GuardedTransport : public fast_dds::PacketTransport {
  public:
   explicit GuardedTransport(GuardedDescriptor descriptor)
-      : ChainingTransport(descriptor), descriptor_(std::move(descriptor)) {}
+      : PacketTransport(descriptor), descriptor_(std::move(descriptor)) {}
 
   [[nodiscard]] TransportDescriptorInterface* get_configuration() override { return &descriptor_; }
   bool OpenInputChannel(const rtps::Locator_t& at, TransportReceiverInterface* receiver,
@@ -66,12 +64,6 @@ class GuardedTransport : public ChainingTransport {
                                 rtps::Locator_t& result) const override {
     return side() != nullptr ? side()->reach(remote, result, *low_level_transport_)
                              : ChainingTransport::transform_remote_locator(remote, result);
-  }
-  // NOLINTNEXTLINE(readability-function-size): the signature is that of Fast DDS
-  bool send(rtps::SenderResource* channel, const rtps::octet* bytes, std::uint32_t size,
-            rtps::LocatorsIterator* first, rtps::LocatorsIterator* last,
-            const std::chrono::steady_clock::time_point& timeout) override {
-    return channel->send(bytes, size, first, last, timeout);
   }
 
  private:

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fastdds/rtps/network/SenderResource.h>
-#include <fastdds/rtps/transport/TransportInterface.h>
-#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
-
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -13,6 +9,7 @@
 #include <vector>
 
 #include "fast_dds_v2/deferred_reception.hpp"
+#include "runtime/fast_dds/transport.hpp"
 
 namespace tocsin {
 
@@ -23,8 +20,8 @@ class TwoRadios;
 /// What is particular to the transport of a participant on its host, or on the link.
 class TransportSide {
  public:
-  using Locator = eprosima::fastrtps::rtps::Locator_t;
-  using Sender = eprosima::fastrtps::rtps::SenderResource;
+  using Locator = eprosima::fastdds::rtps::Locator_t;
+  using Sender = eprosima::fastdds::rtps::SenderResource;
   using Transport = eprosima::fastdds::rtps::TransportInterface;
   using Packet = std::pair<const std::uint8_t*, std::size_t>;
 

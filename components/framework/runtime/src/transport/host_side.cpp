@@ -2,7 +2,6 @@
 #include "transport/host_side.hpp"
 
 #include <arpa/inet.h>
-#include <fastrtps/utils/IPLocator.h>
 #include <net/if.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
@@ -14,6 +13,7 @@
 #include "fast_dds_v2/acknack_counts.hpp"
 #include "foundation/error.hpp"
 #include "foundation/file_descriptor.hpp"
+#include "runtime/fast_dds/names.hpp"
 #include "transport/host_multicast.hpp"
 #include "transport/packet_filter.hpp"
 #include "transport/udp_sockets.hpp"
@@ -22,8 +22,7 @@
 namespace tocsin {
 namespace {
 
-namespace rtps = eprosima::fastrtps::rtps;
-using Deadline = std::chrono::steady_clock::time_point;
+namespace rtps = eprosima::fastdds::rtps;
 using rtps::IPLocator;
 
 const char* const loopback = "127.0.0.1";
@@ -31,10 +30,9 @@ constexpr std::uint32_t udp_message_bytes = 65500;
 
 /// Sends to the peers and to the discovery group on loopback, and to the group also where another
 /// program of this host has joined it.
-class HostSender : public rtps::SenderResource {
+class HostSender : public fast_dds::PacketSender {
  public:
-  explicit HostSender(std::uint32_t socket_bytes)
-      : SenderResource(LOCATOR_KIND_UDPv4), loopback_(sole_udp_socket()) {
+  explicit HostSender(std::uint32_t socket_bytes) : loopback_(sole_udp_socket()) {
     const ip_mreqn lo{{}, {}, static_cast<int>(if_nametoindex("lo"))};
     if (::setsockopt(loopback_.get(), IPPROTO_IP, IP_MULTICAST_IF, &lo, sizeof lo) != 0) {
       throw EnvironmentError("no announcements on loopback: " +
@@ -42,20 +40,19 @@ class HostSender : public rtps::SenderResource {
     }
     // The kernel may give less: a burst of large samples waits then.
     (void)::setsockopt(loopback_.get(), SOL_SOCKET, SO_SNDBUF, &socket_bytes, sizeof socket_bytes);
-    send_lambda_ = [this](const rtps::octet* bytes, std::uint32_t size,
-                          rtps::LocatorsIterator* first, rtps::LocatorsIterator* last,
-                          const Deadline&) {
-      bool all_sent = true;
-      for (; *first != *last; ++*first) {
-        const rtps::Locator_t& to = **first;
-        if (to.kind == LOCATOR_KIND_UDPv4) all_sent = send(bytes, size, to) && all_sent;
-      }
-      return all_sent;
-    };
   }
 
  private:
-  bool send(const rtps::octet* bytes, std::uint32_t size, const rtps::Locator_t& to) {
+  bool send_packet(const std::uint8_t* bytes, std::uint32_t size, rtps::LocatorsIterator& next,
+                   const rtps::LocatorsIterator& last) override {
+    bool all_sent = true;
+    for (; next != last; ++next) {
+      const rtps::Locator_t& to = *next;
+      if (to.kind == LOCATOR_KIND_UDPv4) all_sent = send_to(bytes, size, to) && all_sent;
+    }
+    return all_sent;
+  }
+  bool send_to(const rtps::octet* bytes, std::uint32_t size, const rtps::Locator_t& to) {
     sockaddr_in address{};
     address.sin_family = AF_INET;
     address.sin_port = htons(IPLocator::getPhysicalPort(to));

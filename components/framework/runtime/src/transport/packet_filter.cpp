@@ -2,7 +2,6 @@
 #include "transport/packet_filter.hpp"
 
 #include <arpa/inet.h>
-#include <fastrtps/utils/IPLocator.h>
 
 #include <algorithm>
 #include <array>
@@ -14,13 +13,14 @@
 #include <utility>
 
 #include "foundation/time.hpp"
+#include "runtime/fast_dds/names.hpp"
 #include "runtime/middleware/link_limits.hpp"
 #include "watch/dropped_packets.hpp"
 
 namespace tocsin {
 namespace {
 
-namespace rtps = eprosima::fastrtps::rtps;
+namespace rtps = eprosima::fastdds::rtps;
 using rtps_filter::ipv4;
 using rtps_filter::Limits;
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fastdds/rtps/common/Locator.h>
-#include <fastdds/rtps/common/GuidPrefix_t.hpp>
-
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -17,6 +14,7 @@
 #include "rtps/other_vendors.hpp"
 #include "rtps/writer_numbers.hpp"
 #include "rtps_filter/rtps_filter.hpp"
+#include "runtime/fast_dds/names.hpp"
 #include "transport/sender_users.hpp"
 
 namespace tocsin {
@@ -60,7 +58,7 @@ class PacketFilter {
   /// copy without what must not be read, and before it with announcements; or does not.
   template <class Show>
   void pass(const std::uint8_t* bytes, std::size_t size,
-            const eprosima::fastrtps::rtps::Locator_t& from, Port at, Show show) {
+            const eprosima::fastdds::rtps::Locator_t& from, Port at, Show show) {
     const rtps_filter::Inspection inspection = inspect(bytes, size, from, at);
     if (inspection.drop) return;
     const JumpCost cost(*this, inspection.jumps);
@@ -79,9 +77,9 @@ class PacketFilter {
 
   /// What DDS Security has found out (RtpsFilter::authenticate, forget), or a peer's next instance
   /// (supersede). `participant`: GUID prefix.
-  void authenticate(const eprosima::fastrtps::rtps::GuidPrefix_t& participant);
-  void forget(const eprosima::fastrtps::rtps::GuidPrefix_t& participant);
-  void supersede(const eprosima::fastrtps::rtps::GuidPrefix_t& participant);
+  void authenticate(const eprosima::fastdds::rtps::GuidPrefix_t& participant);
+  void forget(const eprosima::fastdds::rtps::GuidPrefix_t& participant);
+  void supersede(const eprosima::fastdds::rtps::GuidPrefix_t& participant);
   /// Null where nobody is told.
   [[nodiscard]] const std::shared_ptr<OtherVendors>& others() const { return others_; }
 
@@ -103,9 +101,9 @@ class PacketFilter {
   };
   void took(Duration cpu);
   rtps_filter::Inspection inspect(const std::uint8_t* bytes, std::size_t size,
-                                  const eprosima::fastrtps::rtps::Locator_t& from, Port at);
+                                  const eprosima::fastdds::rtps::Locator_t& from, Port at);
   PieceAssembly::Result assemble(const std::uint8_t* bytes, std::size_t size,
-                                 const eprosima::fastrtps::rtps::Locator_t& from);
+                                 const eprosima::fastdds::rtps::Locator_t& from);
   [[nodiscard]] rtps_filter::Sender sender(const rtps_filter::Source& source);
 
   const bool secured_;

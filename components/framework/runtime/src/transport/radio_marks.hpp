@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fastdds/rtps/common/EntityId_t.hpp>
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <mutex>
 
+#include "runtime/fast_dds/names.hpp"
 #include "runtime/middleware/link_bus.hpp"
 
 namespace tocsin {
@@ -35,8 +34,8 @@ class RadioMarks {
   /// There is a second path.
   void add_path() { has_second_ = true; }
   /// Its bytes are counted by class and purpose.
-  void set(const eprosima::fastrtps::rtps::EntityId_t& endpoint, const Mark& mark);
-  void forget(const eprosima::fastrtps::rtps::EntityId_t& endpoint);
+  void set(const eprosima::fastdds::rtps::EntityId_t& endpoint, const Mark& mark);
+  void forget(const eprosima::fastdds::rtps::EntityId_t& endpoint);
   /// Notes a packet of `sent` bytes, with the message or a piece of it, and returns how it goes.
   [[nodiscard]] Way mark(const std::uint8_t* message, std::size_t size, std::size_t sent);
   /// The same for a packet by a path that holds a value of the emergency stop alone; its code
@@ -47,7 +46,7 @@ class RadioMarks {
   [[nodiscard]] LinkPackets packets() const;
 
  private:
-  using Endpoint = eprosima::fastrtps::rtps::EntityId_t;
+  using Endpoint = eprosima::fastdds::rtps::EntityId_t;
   void note_unknown(std::uint64_t bytes, bool discovery);
   mutable std::mutex mutex_;
   std::map<Endpoint, Mark> marks_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "transport/radio_side.hpp"
 
-#include <fastrtps/utils/IPLocator.h>
 #include <pthread.h>
 
 #include <algorithm>
@@ -19,6 +18,7 @@
 #include "fast_dds_v2/key_repeats.hpp"
 #include "fast_dds_v2/message_pieces.hpp"
 #include "rtps/this_host.hpp"
+#include "runtime/fast_dds/names.hpp"
 #include "runtime/middleware/rtps_message.hpp"
 #include "transport/radio_socket.hpp"
 #include "watch/activity.hpp"
@@ -26,8 +26,7 @@
 namespace tocsin {
 namespace {
 
-namespace rtps = eprosima::fastrtps::rtps;
-using Deadline = std::chrono::steady_clock::time_point;
+namespace rtps = eprosima::fastdds::rtps;
 
 constexpr std::uint32_t largest_datagram = 65500;
 /// At 30 % loss one of so many arrives in 99.8 %.
@@ -35,18 +34,14 @@ constexpr std::size_t copies_of_last = 5;
 
 /// Sends what the pacer holds back when its time has come, and values of the emergency stop, on a
 /// thread of its own.
-class RadioSender : public rtps::SenderResource {
+class RadioSender : public fast_dds::PacketSender {
  public:
   RadioSender(const std::string& address, RadioParts parts)
-      : SenderResource(LOCATOR_KIND_UDPv4),
-        sockets_{std::make_unique<RadioSocket>(address, parts.radios != nullptr),
+      : sockets_{std::make_unique<RadioSocket>(address, parts.radios != nullptr),
                  second_socket(parts)},
         parts_(std::move(parts)),
         thread_([this] { run(); }) {
     pthread_setname_np(thread_.native_handle(), "link_discovery");
-    send_lambda_ = [this](const rtps::octet* bytes, std::uint32_t size,
-                          rtps::LocatorsIterator* first, rtps::LocatorsIterator* last,
-                          const Deadline&) { return send_to_all(bytes, size, *first, *last); };
     if (parts_.stop) parts_.stop->on_say([this] { wake(); });
   }
   ~RadioSender() override {
@@ -66,8 +61,8 @@ class RadioSender : public rtps::SenderResource {
     return parts.radios ? std::make_unique<RadioSocket>(parts.radios->second_address(), true)
                         : nullptr;
   }
-  bool send_to_all(const rtps::octet* bytes, std::size_t whole, rtps::LocatorsIterator& next,
-                   const rtps::LocatorsIterator& last) {
+  bool send_packet(const std::uint8_t* bytes, std::uint32_t whole, rtps::LocatorsIterator& next,
+                   const rtps::LocatorsIterator& last) override {
     const std::size_t size = size_without_statistics(bytes, whole);
     const auto authentication = parts_.repeats ? authentication_in(bytes, size) : std::nullopt;
     if (authentication && authentication->goes_elsewhere) return true;

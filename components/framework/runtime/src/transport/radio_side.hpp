@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fastdds/rtps/common/Locator.h>
-
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "fast_dds_v2/authentication_repeats.hpp"
 #include "rtps/other_vendors.hpp"
+#include "runtime/fast_dds/names.hpp"
 #include "transport/guarded_transport.hpp"
 #include "transport/radio_marks.hpp"
 #include "transport/stop_channel.hpp"
@@ -23,7 +22,7 @@ struct RadioParts {
   std::shared_ptr<AuthenticationRepeats> repeats;  ///< null: without DDS Security
   std::shared_ptr<StopChannel> stop;               ///< null: no emergency stop
   /// Where packets of its own go, by each path.
-  std::vector<eprosima::fastrtps::rtps::Locator_t> stop_peers;
+  std::vector<eprosima::fastdds::rtps::Locator_t> stop_peers;
   std::shared_ptr<TwoRadios> radios;  ///< null: there is one path
 };
 

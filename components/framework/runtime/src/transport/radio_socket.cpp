@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "transport/radio_socket.hpp"
+#include "runtime/fast_dds/names.hpp"
 
 #include <arpa/inet.h>
-#include <fastrtps/utils/IPLocator.h>
 #include <sys/socket.h>
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace tocsin {
 
-namespace rtps = eprosima::fastrtps::rtps;
+namespace rtps = eprosima::fastdds::rtps;
 
 std::uint32_t ipv4_of(const rtps::Locator_t& locator) {
   in_addr address{};

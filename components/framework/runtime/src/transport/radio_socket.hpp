@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fastdds/rtps/common/Locator.h>
-
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "foundation/file_descriptor.hpp"
+#include "runtime/fast_dds/names.hpp"
 
 namespace tocsin {
 
 /// IPv4 of a locator, host byte order.
-[[nodiscard]] std::uint32_t ipv4_of(const eprosima::fastrtps::rtps::Locator_t& locator);
+[[nodiscard]] std::uint32_t ipv4_of(const eprosima::fastdds::rtps::Locator_t& locator);
 
 /// A UDP socket at an address and port (0: any). `comes_later`: the address need not be on an
 /// interface yet. Without a descriptor when that is refused.
@@ -29,7 +28,7 @@ class RadioSocket {
   [[nodiscard]] bool usable() const { return static_cast<bool>(socket_); }
   /// A packet of `size` bytes and `more` behind them. A full socket loses it, as the radio would.
   [[nodiscard]] bool send(const std::uint8_t* bytes, std::size_t size,
-                          const eprosima::fastrtps::rtps::Locator_t& to, int dscp,
+                          const eprosima::fastdds::rtps::Locator_t& to, int dscp,
                           const std::vector<std::uint8_t>& more = {}) const;
 
  private:

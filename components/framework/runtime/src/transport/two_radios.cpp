@@ -2,7 +2,6 @@
 #include "transport/two_radios.hpp"
 
 #include <arpa/inet.h>
-#include <fastrtps/utils/IPLocator.h>
 #include <pthread.h>
 #include <sys/socket.h>
 
@@ -15,6 +14,7 @@
 
 #include "foundation/error.hpp"
 #include "foundation/file_descriptor.hpp"
+#include "runtime/fast_dds/names.hpp"
 #include "transport/radio_socket.hpp"
 #include "transport/socket_wait.hpp"
 #include "transport/stop_channel.hpp"
@@ -23,7 +23,7 @@
 namespace tocsin {
 namespace {
 
-namespace rtps = eprosima::fastrtps::rtps;
+namespace rtps = eprosima::fastdds::rtps;
 
 std::optional<rtps::Locator_t> moved(const std::map<std::uint32_t, std::uint32_t>& addresses,
                                      const rtps::Locator_t& from) {

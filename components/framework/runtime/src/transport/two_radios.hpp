@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fastdds/rtps/common/Locator.h>
 #include <netinet/in.h>
 
 #include <cstddef>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "foundation/time.hpp"
+#include "runtime/fast_dds/names.hpp"
 
 namespace tocsin {
 
@@ -38,7 +38,7 @@ struct RadioPacket {
 /// same on both.
 class TwoRadios {
  public:
-  using Locator = eprosima::fastrtps::rtps::Locator_t;
+  using Locator = eprosima::fastdds::rtps::Locator_t;
   /// Called by a thread of the port and path.
   using OnPacket = std::function<void(const RadioPacket&)>;
 

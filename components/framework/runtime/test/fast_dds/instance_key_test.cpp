@@ -9,6 +9,7 @@
 #include <string>
 
 #include "ros_idl/std_msgs.hpp"
+#include "runtime/fast_dds/names.hpp"
 #include "runtime/middleware/fast_dds_qos.hpp"
 
 namespace tocsin {
@@ -16,7 +17,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::ElementsAreArray;
-using Hash = eprosima::fastrtps::rtps::InstanceHandle_t;
+using Hash = eprosima::fastdds::rtps::InstanceHandle_t;
 
 /// A type whose messages are texts and whose key is the whole text.
 TypeInfo text_type(std::size_t longest_key) {
@@ -96,7 +97,7 @@ TEST(KeyedQos, HoldsForEachOfAnyNumberOfInstances) {
   }
   EXPECT_FALSE(writer.writer_data_lifecycle().autodispose_unregistered_instances);
   EXPECT_EQ(reader.endpoint().history_memory_policy,
-            eprosima::fastrtps::rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE)
+            eprosima::fastdds::rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE)
       << "the others have no room for the end of an instance";
   EXPECT_EQ(writer_qos(profile).resource_limits().max_instances, 1);
 }

@@ -3,15 +3,14 @@
 #include "fast_dds_v2/deferred_reception.hpp"
 
 #include <arpa/inet.h>
-#include <fastdds/rtps/transport/TransportInterface.h>
-#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
-#include <fastrtps/utils/IPLocator.h>
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 
 #include <atomic>
 
 #include "fast_dds/bus_fixture.hpp"
+#include "runtime/fast_dds/names.hpp"
+#include "runtime/fast_dds/transport.hpp"
 #include "transport/guarded_transport.hpp"
 #include "transport/packet_filter.hpp"
 #include "watch/dropped_packets.hpp"
@@ -19,7 +18,7 @@
 namespace tocsin {
 namespace {
 
-namespace rtps = eprosima::fastrtps::rtps;
+namespace rtps = eprosima::fastdds::rtps;
 using namespace eprosima::fastdds::rtps;
 
 constexpr std::uint16_t port = 27'391;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fast_dds_v2/discovery_pacer.hpp"
+#include "runtime/fast_dds/names.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +9,7 @@
 namespace tocsin {
 namespace {
 
-namespace rtps = eprosima::fastrtps::rtps;
+namespace rtps = eprosima::fastdds::rtps;
 using std::chrono::milliseconds;
 
 const Time t0{std::chrono::hours(1)};

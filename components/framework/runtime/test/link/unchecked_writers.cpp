@@ -6,10 +6,10 @@
 #include <atomic>
 #include <cstdint>
 
-// security::Permissions::check_create_datawriter of Fast DDS, in whose place the one below is
-// called: the dynamic linker looks in the program first.
-#define CHECK_CREATE_DATAWRITER \
-  _ZN8eprosima8fastrtps4rtps8security11Permissions23check_create_datawriterERKNS2_6HandleEjRKNSt7__cxx1112basic_stringIcSt11char_traitsIcESaIcEEERKSt6vectorISC_SaISC_EERNS2_17SecurityExceptionE
+#include "runtime/fast_dds/symbols.hpp"
+
+// CHECK_CREATE_DATAWRITER is called in the place of Fast DDS's own: the dynamic linker looks in the
+// program first.
 #define TEXT_OF(name) #name
 #define NAME_OF(name) TEXT_OF(name)
 

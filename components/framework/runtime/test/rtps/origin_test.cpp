@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "rtps/origin.hpp"
+#include "runtime/fast_dds/names.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +9,7 @@
 namespace tocsin {
 namespace {
 
-namespace rtps = eprosima::fastrtps::rtps;
+namespace rtps = eprosima::fastdds::rtps;
 
 TEST(Origin, ComesBackFromItsIdentity) {
   const Origin origin{0x0123456789abcdefULL, 0x123456789ULL};

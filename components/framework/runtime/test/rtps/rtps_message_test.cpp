@@ -7,11 +7,12 @@
 
 #include "link/rtps_bytes.hpp"
 #include "rtps/origin.hpp"
+#include "runtime/fast_dds/names.hpp"
 
 namespace tocsin {
 namespace {
 
-namespace rtps = eprosima::fastrtps::rtps;
+namespace rtps = eprosima::fastdds::rtps;
 
 std::uint32_t sender(const Bytes& bytes) {
   const auto found = sender_in(bytes.data(), bytes.size());

@@ -3,8 +3,6 @@
 #include "transport/host_side.hpp"
 
 #include <arpa/inet.h>
-#include <fastdds/rtps/transport/TransportInterface.h>
-#include <fastrtps/utils/IPLocator.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/socket.h>
@@ -13,13 +11,15 @@
 
 #include "fast_dds/bus_fixture.hpp"
 #include "foundation/file_descriptor.hpp"
+#include "runtime/fast_dds/names.hpp"
+#include "runtime/fast_dds/transport.hpp"
 #include "transport/host_multicast.hpp"
 #include "transport/packet_filter.hpp"
 
 namespace tocsin {
 namespace {
 
-namespace rtps = eprosima::fastrtps::rtps;
+namespace rtps = eprosima::fastdds::rtps;
 using namespace eprosima::fastdds::rtps;
 using ::testing::ElementsAre;
 using ::testing::UnorderedElementsAre;

@@ -2,19 +2,19 @@
 #include "transport/packet_filter.hpp"
 
 #include <arpa/inet.h>
-#include <fastrtps/utils/IPLocator.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <ctime>
 #include <thread>
 
+#include "runtime/fast_dds/names.hpp"
 #include "watch/dropped_packets.hpp"
 
 namespace tocsin {
 namespace {
 
-namespace rtps = eprosima::fastrtps::rtps;
+namespace rtps = eprosima::fastdds::rtps;
 using rtps_filter::ipv4;
 
 rtps::Locator_t locator_of(const std::string& address, std::uint16_t port = 4711) {

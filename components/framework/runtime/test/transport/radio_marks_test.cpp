@@ -4,11 +4,12 @@
 #include <gtest/gtest.h>
 
 #include "link/rtps_bytes.hpp"
+#include "runtime/fast_dds/names.hpp"
 
 namespace tocsin {
 namespace {
 
-namespace rtps = eprosima::fastrtps::rtps;
+namespace rtps = eprosima::fastdds::rtps;
 
 /// The writer of `data_of(7)`.
 rtps::EntityId_t writer_7() {

@@ -37,7 +37,7 @@ std::optional<navigation::LinkRisk> LinkRiskInput::take() {
   }
   const navigation::Grid grid{static_cast<int>(info.width()), static_cast<int>(info.height()),
                               info.resolution(), position(geometry::pose_in(info.origin()))};
-  return navigation::LinkRisk(grid, std::move(message->data()));
+  return navigation::LinkRisk(grid, message->data());
 }
 
 }  // namespace tocsin

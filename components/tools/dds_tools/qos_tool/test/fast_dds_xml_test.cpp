@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The XML that is exported, as Fast DDS's own parser reads it, is what the runtime gives Fast DDS
 // for the same profile: all policies of both ends, compared by Fast DDS.
-#include <fastrtps/xmlparser/XMLProfileManager.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,6 +9,7 @@
 #include <fastdds/dds/publisher/Publisher.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 
+#include "runtime/fast_dds/settings.hpp"
 #include "runtime/middleware/fast_dds_qos.hpp"
 #include "runtime/middleware/qos_profile.hpp"
 #include "vendor_xml.hpp"
@@ -19,7 +19,6 @@ namespace {
 
 namespace dds = eprosima::fastdds::dds;
 using ::testing::IsEmpty;
-using ReturnCode = eprosima::fastrtps::types::ReturnCode_t;
 
 /// Domain that no participant of a test speaks on: nothing is written.
 constexpr int domain = 95;
@@ -60,26 +59,26 @@ class FastDdsXml : public ::testing::Test {
   void TearDown() override {
     participant_->delete_contained_entities();
     dds::DomainParticipantFactory::get_instance()->delete_participant(participant_);
-    eprosima::fastrtps::xmlparser::XMLProfileManager::DeleteInstance();
+    fast_dds::forget_profiles();
   }
   static void load(const std::string& xml) {
     ASSERT_EQ(dds::DomainParticipantFactory::get_instance()->load_XML_profiles_string(xml.c_str(),
                                                                                       xml.size()),
-              ReturnCode::RETCODE_OK)
+              dds::RETCODE_OK)
         << xml;
   }
   void expect_same(const std::string& name, const QosProfile& profile) {
     dds::DataWriterQos writer;
-    ASSERT_EQ(publisher_->get_datawriter_qos_from_profile(name, writer), ReturnCode::RETCODE_OK);
+    ASSERT_EQ(publisher_->get_datawriter_qos_from_profile(name, writer), dds::RETCODE_OK);
     EXPECT_THAT(differences(writer, writer_qos(profile)), IsEmpty()) << name;
     EXPECT_EQ(writer.reliable_writer_qos().disable_heartbeat_piggyback,
               !profile.heartbeat_piggyback);
     dds::DataReaderQos reader;
-    ASSERT_EQ(subscriber_->get_datareader_qos_from_profile(name, reader), ReturnCode::RETCODE_OK);
+    ASSERT_EQ(subscriber_->get_datareader_qos_from_profile(name, reader), dds::RETCODE_OK);
     const auto used = reader_qos(requested({"", "", Scope::host}, profile));
     EXPECT_THAT(differences(reader, used), IsEmpty()) << name;
     dds::PublisherQos holder;
-    ASSERT_EQ(participant_->get_publisher_qos_from_profile(name, holder), ReturnCode::RETCODE_OK);
+    ASSERT_EQ(participant_->get_publisher_qos_from_profile(name, holder), dds::RETCODE_OK);
     EXPECT_EQ(holder.partition().getNames(), profile.partition) << name;
   }
 

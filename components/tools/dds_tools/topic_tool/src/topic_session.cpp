@@ -48,11 +48,12 @@ RawTopic TopicSession::find(const std::string& ros_topic) const {
   return readable(graph_->ends(), ros_topic);
 }
 
-const TypeInfo& known_type(const std::string& on_wire) {
+const TypeInfo& known_type(std::string_view on_wire) {
   load_idl_libraries();
-  const TypeInfo* const type = find_type(on_wire);
+  const std::string name(on_wire);
+  const TypeInfo* const type = find_type(name);
   if (type != nullptr) return *type;
-  throw ConfigError("the message type '" + ros_type(on_wire) +
+  throw ConfigError("the message type '" + ros_type(name) +
                     "' is not known here: no installed package has its IDL; source the setup.bash "
                     "of the workspace that has it");
 }

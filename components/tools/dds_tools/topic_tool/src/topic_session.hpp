@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "command_line/command.hpp"
@@ -66,7 +67,7 @@ class TopicSession {
 };
 
 /// The type of this wire name, of this and other workspaces. Throws ConfigError when it is unknown.
-[[nodiscard]] const TypeInfo& known_type(const std::string& on_wire);
+[[nodiscard]] const TypeInfo& known_type(std::string_view on_wire);
 
 /// Samples of a topic that wait for the thread that prints.
 class SampleQueue {

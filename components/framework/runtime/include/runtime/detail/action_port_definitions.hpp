@@ -26,13 +26,14 @@ std::optional<typename ActionServer<Action>::Asked> ActionServer<Action>::take(T
   for (const GoalId& gone : serve_cancels(now)) results_.erase(gone);
   serve_results();
   while (auto call = send_goal_.take()) {
-    const GoalId& id = call->request->goal_id().uuid();
+    const auto request = call->request;
+    const GoalId& id = request->goal_id().uuid();
     if (state(id) != GoalState::unknown) {
       answer(call->id, std::nullopt);
       continue;
     }
     asked_ = std::move(call);
-    return Asked{id, {asked_->request, &asked_->request->goal()}};
+    return Asked{id, {request, &request->goal()}};
   }
   return std::nullopt;
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fastdds/rtps/common/Time_t.h>
 #include <fastdds/dds/publisher/qos/DataWriterQos.hpp>
 #include <fastdds/dds/subscriber/qos/DataReaderQos.hpp>
 #include <map>
 #include <memory>
 #include <string>
 
+#include "runtime/fast_dds/names.hpp"
 #include "runtime/middleware/qos_profile.hpp"
 
 namespace eprosima::fastdds::rtps {
@@ -17,7 +17,7 @@ struct FlowControllerDescriptor;
 namespace tocsin {
 
 /// Seconds as Fast DDS has them; infinity stays infinity.
-[[nodiscard]] eprosima::fastrtps::Duration_t dds_duration(double s);
+[[nodiscard]] eprosima::fastdds::dds::Duration_t dds_duration(double s);
 
 /// Whether a topic's type has a key: then the history holds for each of any number of instances.
 enum class Keys { none, some };

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fastdds/rtps/common/EntityId_t.hpp>
-#include <fastdds/rtps/common/GuidPrefix_t.hpp>
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+
+#include "runtime/fast_dds/names.hpp"
 
 namespace tocsin {
 
@@ -56,7 +55,7 @@ class Submessages {
 /// The endpoint that an RTPS message comes from: the writer of its first DATA, HEARTBEAT or GAP,
 /// the reader of its first ACKNACK (RTPS 2.2 section 8.3.7). Nothing when there is none, or the
 /// bytes are no such message.
-[[nodiscard]] std::optional<eprosima::fastrtps::rtps::EntityId_t> sender_in(
+[[nodiscard]] std::optional<eprosima::fastdds::rtps::EntityId_t> sender_in(
     const std::uint8_t* message, std::size_t size);
 
 /// The size of a message without the submessage that Fast DDS 2.9.1 ends each message with when it
@@ -64,14 +63,14 @@ class Submessages {
 [[nodiscard]] std::size_t size_without_statistics(const std::uint8_t* message, std::size_t size);
 
 /// Whether it is one of those by which participants discover each other (section 9.3.1.2).
-[[nodiscard]] bool is_builtin(const eprosima::fastrtps::rtps::EntityId_t& endpoint);
+[[nodiscard]] bool is_builtin(const eprosima::fastdds::rtps::EntityId_t& endpoint);
 
 /// Whether a message announces its participant (section 8.5.3).
 [[nodiscard]] bool is_announcement(const std::uint8_t* message, std::size_t size);
 
 /// Whom a message of authentication is for (DDS Security 1.1 sections 7.4.3.5 and 7.4.4.3).
 struct Authentication {
-  eprosima::fastrtps::rtps::GuidPrefix_t addressee;
+  eprosima::fastdds::rtps::GuidPrefix_t addressee;
   /// Whether the packet is for another participant. Fast DDS 2.9.1 sends each to every participant
   /// that it knows; who is not the addressee throws it away.
   bool goes_elsewhere;

@@ -78,7 +78,8 @@ void LiveViewComponent::take_states(Time now) {
   while (const auto message = transmission_.take()) {
     const bool from_vehicle = role_of(message->role()) == Role::uxv;
     if (from_vehicle) table_.on_sample(topic::TransmissionState::info.name, now);
-    (from_vehicle ? view_.uxv : view_.gcs) = {*message, now};
+    (from_vehicle ? view_.uxv : view_.gcs) =
+        Heard<tocsin_msgs::msg::TransmissionState>{*message, now};
   }
   while (const auto message = heartbeat_.take()) {
     if (role_of(message->role()) == Role::uxv) table_.on_sample(topic::Heartbeat::info.name, now);
@@ -94,7 +95,8 @@ void LiveViewComponent::take_link_states(Time now) {
   while (const auto message = link_state_.take()) {
     const bool from_vehicle = role_of(message->role()) == Role::uxv;
     if (from_vehicle) table_.on_sample(topic::LinkState::info.name, now);
-    (from_vehicle ? view_.uplink : view_.downlink) = {*message, now};
+    (from_vehicle ? view_.uplink : view_.downlink) =
+        Heard<tocsin_msgs::msg::LinkState>{*message, now};
   }
 }
 
