@@ -144,7 +144,7 @@ TEST(ReadValue, AnEnumeratorIsANumberOf32Bits) {
 }
 
 TEST(ReadValue, ABooleanIsZeroOrOne) {
-  for (const std::uint8_t byte : {0, 1, 2, 255}) {
+  for (const std::uint8_t byte : Bytes{0, 1, 2, 255}) {
     const Bytes bytes{0, 1, 0, 0, byte};
     WireCursor cursor(bytes.data(), bytes.size());
     bool value = false;
@@ -190,20 +190,21 @@ TEST(Deserialize, RefusesAnotherEncapsulation) {
   Keyed message;
   EXPECT_TRUE(deserialize<Keyed>(bytes.data(), bytes.size(), &message));
   EXPECT_EQ(message.id, 5);
-  for (const std::uint8_t kind : {2, 3, 6, 7, 8, 9, 255}) {
+  for (const std::uint8_t kind : Bytes{2, 3, 6, 7, 8, 9, 255}) {
     bytes[1] = kind;
     EXPECT_FALSE(deserialize<Keyed>(bytes.data(), bytes.size(), &message)) << int{kind};
   }
 }
 
+struct Numbered : Keyed {
+  std::array<std::int16_t, 3> numbers{};
+  template <class Message, class Visitor>
+  static bool every_key_field(Message& message, Visitor&& visit) {
+    return visit("numbers", message.numbers) && visit("id", message.id);
+  }
+};
+
 TEST(LongestKey, IsWhatFixedFieldsTakeAndMoreThanAHashWithAText) {
-  struct Numbered : Keyed {
-    std::array<std::int16_t, 3> numbers{};
-    template <class Message, class Visitor>
-    static bool every_key_field(Message& message, Visitor&& visit) {
-      return visit("numbers", message.numbers) && visit("id", message.id);
-    }
-  };
   EXPECT_EQ(longest_key<Numbered>(), 12U) << "6 bytes, 2 of padding, 4";
   EXPECT_GT(longest_key<Keyed>(), 16U);
 }

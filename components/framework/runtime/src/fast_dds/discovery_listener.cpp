@@ -64,27 +64,34 @@ void DiscoveryListener::on_participant(const fast_dds::DiscoveredParticipant& pa
   const bool gone = presence == fast_dds::Presence::gone;
   if (acquaintance_ == Acquaintance::when_authenticated) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (gone) strangers_.erase(participant.prefix);
-    if (presence == fast_dds::Presence::found) strangers_[participant.prefix] = participant.name;
-    if (!gone) return;
-    filter_->forget(participant.prefix);
+    if (gone) {
+      strangers_.erase(participant.prefix);
+      authenticated_.erase(participant.prefix);
+      filter_->forget(participant.prefix);
+    } else if (authenticated_.count(participant.prefix) == 0) {
+      if (presence == fast_dds::Presence::found) strangers_[participant.prefix] = participant.name;
+      return;
+    }
   }
   gone ? ends_.remove(participant.prefix)
        : ends_.add(participant.prefix, participant.name, participant.user_data);
 }
 
+/// Fast DDS 2.9 tells of it after the participant was found, Fast DDS 3 before.
 void DiscoveryListener::on_authentication(const Prefix& participant, bool authorized) {
   std::unique_lock<std::mutex> lock(mutex_);
   const auto stranger = strangers_.find(participant);
-  if (stranger == strangers_.end()) return;
-  const std::string name = stranger->second;
+  const std::string name = stranger == strangers_.end() ? "" : stranger->second;
   // A message that anybody has sent in its name may have been refused; its own may follow.
-  if (authorized) strangers_.erase(stranger);
+  if (authorized) {
+    authenticated_.insert(participant);
+    strangers_.erase(participant);
+  }
   lock.unlock();
   if (authorized) {
     filter_->authenticate(participant);
-    ends_.add(participant, name);
-  } else {
+    if (!name.empty()) ends_.add(participant, name);
+  } else if (!name.empty()) {
     log_.warn("participant '{}' is refused: its identity is not accepted", printable(name));
   }
 }

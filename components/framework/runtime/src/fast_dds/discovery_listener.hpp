@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -41,6 +42,7 @@ class DiscoveryListener : public fast_dds::DiscoveryEvents {
   Logger log_{"link"};
   std::mutex mutex_;
   std::map<Prefix, std::string> strangers_;  ///< by name, until they are authenticated
+  std::set<Prefix> authenticated_;
 };
 
 }  // namespace tocsin

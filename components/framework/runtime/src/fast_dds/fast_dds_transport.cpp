@@ -64,17 +64,16 @@ std::vector<rtps::Locator_t> stop_ports(const ParticipantOptions& options) {
   return all;
 }
 
-std::shared_ptr<TwoRadios> radios_of(const ParticipantOptions& options) {
-  if (options.second_address.empty()) return nullptr;
-  options.marks->add_path();
-  return std::make_shared<TwoRadios>(
-      TwoRadiosPlace{options.address, options.second_address, options.peers, options.second_peers});
+std::shared_ptr<RadioPorts> ports_of(const ParticipantOptions& options) {
+  if (!options.second_address.empty()) options.marks->add_path();
+  return std::make_shared<RadioPorts>(
+      RadioPlace{options.address, options.second_address, options.peers, options.second_peers});
 }
 
 std::shared_ptr<UDPv4TransportDescriptor> udp_of(const ParticipantOptions& options) {
   auto udp = std::make_shared<UDPv4TransportDescriptor>();
-  // With two paths it opens nothing: TwoRadios does, whether or not an interface is there yet.
-  if (options.second_address.empty()) udp->interfaceWhiteList = {options.address};
+  // A router's opens nothing: RadioPorts does, whether or not an interface is there yet.
+  if (!options.marks) udp->interfaceWhiteList = {options.address};
   if (!is_on_link(options)) udp->sendBufferSize = udp->receiveBufferSize = host_socket_bytes;
   return udp;
 }
@@ -86,20 +85,23 @@ std::shared_ptr<TransportSide> side_of(const ParticipantOptions& options,
   if (!options.marks) return nullptr;
   auto repeats = others ? std::make_shared<AuthenticationRepeats>() : nullptr;
   return radio_side(options.address, {options.marks, others, std::move(repeats), options.stop,
-                                      stop_ports(options), radios_of(options)});
+                                      stop_ports(options), ports_of(options)});
 }
 
-bool is_free(const ParticipantOptions& options, int port) {
-  const bool comes_later = !options.second_address.empty();
-  return static_cast<bool>(
-      radio_socket(options.address, static_cast<std::uint16_t>(port), comes_later));
+/// Whether nobody else has it, nor gets it from now on if `side` receives by ports of its own.
+bool take(const ParticipantOptions& options, TransportSide* side, int port) {
+  const auto number = static_cast<std::uint16_t>(port);
+  if (side != nullptr && side->ports() != nullptr) return side->ports()->claim(number);
+  return static_cast<bool>(radio_socket(options.address, number));
 }
 
 /// A router's ports are known, so that one announcement finds it.
-void locate_on_link(const ParticipantOptions& options, dds::DomainParticipantQos& qos) {
+void locate_on_link(const ParticipantOptions& options, TransportSide* side,
+                    dds::DomainParticipantQos& qos) {
   rtps::BuiltinAttributes& builtin = qos.wire_protocol().builtin;
   int own = 0;
-  while (own + 1 < most_at_one_address && !is_free(options, discovery_port(options.domain, own))) {
+  while (own + 1 < most_at_one_address &&
+         !take(options, side, discovery_port(options.domain, own))) {
     ++own;
   }
   const int port = discovery_port(options.domain, own);
@@ -180,13 +182,16 @@ dds::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
   qos.name(options.name);
   qos.user_data().data_vec({options.user_data.begin(), options.user_data.end()});
   qos.transport().use_builtin_transports = false;
+  // Others match by the name of a type: Fast DDS 3 would announce all of it.
+  qos.properties().properties().emplace_back("fastdds.type_propagation", "disabled");
   auto filter = options.filter ? options.filter : packet_filter(options);
   if (!options.enclave.empty()) secure(options.enclave, qos);
-  qos.transport().user_transports = {guarded_transport(
-      {udp_of(options), side_of(options, filter->others()), options.reception, filter})};
+  const auto side = side_of(options, filter->others());
+  qos.transport().user_transports = {
+      guarded_transport({udp_of(options), side, options.reception, filter})};
   rtps::BuiltinAttributes& builtin = qos.wire_protocol().builtin;
   builtin.avoid_builtin_multicast = true;
-  is_on_link(options) ? locate_on_link(options, qos) : locate_on_host(options, qos);
+  is_on_link(options) ? locate_on_link(options, side.get(), qos) : locate_on_host(options, qos);
   builtin.discovery_config.initial_announcements.count = 10;
   builtin.discovery_config.initial_announcements.period = dds_duration(0.1);
   for (const auto& [name, controller] : options.flow_controllers) {

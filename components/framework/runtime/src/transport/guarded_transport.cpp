@@ -11,8 +11,8 @@
 #include "runtime/fast_dds/transport.hpp"
 #include "transport/host_multicast.hpp"
 #include "transport/packet_filter.hpp"
+#include "transport/radio_ports.hpp"
 #include "transport/receptions.hpp"
-#include "transport/two_radios.hpp"
 
 namespace tocsin {
 namespace {
@@ -46,7 +46,7 @@ struct Ends {
   rtps::Locator_t remote;
 };
 
-/// Receives through the chain, or by two radios, and sends without it.
+/// Receives through the chain, or by ports of the radio, and sends without it.
 class GuardedTransport : public fast_dds::PacketTransport {
  public:
   explicit GuardedTransport(GuardedDescriptor descriptor)
@@ -60,13 +60,11 @@ class GuardedTransport : public fast_dds::PacketTransport {
   void receive(TransportReceiverInterface* next, const rtps::octet* bytes, std::uint32_t size,
                const rtps::Locator_t& local, const rtps::Locator_t& remote) override;
   bool OpenOutputChannel(SendResourceList& channels, const rtps::Locator_t& to) override;
-  bool transform_remote_locator(const rtps::Locator_t& remote,
-                                rtps::Locator_t& result) const override {
-    return side() != nullptr ? side()->reach(remote, result, *low_level_transport_)
-                             : ChainingTransport::transform_remote_locator(remote, result);
-  }
 
  private:
+  [[nodiscard]] bool reach(const rtps::Locator_t& remote, rtps::Locator_t& result) const override {
+    return side() != nullptr ? side()->reach(remote, result) : reach_below(remote, result);
+  }
   [[nodiscard]] TransportSide* side() const { return descriptor_.parts.side.get(); }
   /// Null: not by multicast, or there is nothing that receives it.
   [[nodiscard]] HostMulticastReceiver* group_for(const rtps::Locator_t& at) const {
@@ -76,8 +74,8 @@ class GuardedTransport : public fast_dds::PacketTransport {
   /// A packet that has waited in its socket for so long.
   void take(TransportReceiverInterface* next, TransportSide::Packet packet, const Ends& ends,
             Duration waited);
-  /// Null: there is one path.
-  [[nodiscard]] TwoRadios* radios() const { return side() != nullptr ? side()->radios() : nullptr; }
+  /// Null: through the chain.
+  [[nodiscard]] RadioPorts* ports() const { return side() != nullptr ? side()->ports() : nullptr; }
   void show(TransportReceiverInterface* next, const TransportSide::Packet& packet,
             const Ends& ends);
 
@@ -101,8 +99,8 @@ bool GuardedTransport::OpenInputChannel(const rtps::Locator_t& at,
 /// It receives messages that are longer than those that it sends.
 bool GuardedTransport::open(const rtps::Locator_t& at, TransportReceiverInterface* receiver,
                             std::uint32_t largest) {
-  if (radios() != nullptr) {
-    radios()->start(port_of(at), [this, receiver, at](const RadioPacket& packet) {
+  if (ports() != nullptr) {
+    ports()->start(port_of(at), [this, receiver, at](const RadioPacket& packet) {
       take(receiver, {packet.bytes, packet.size}, {at, locator_of(packet.from)}, packet.waited);
     });
     return true;
@@ -121,8 +119,8 @@ bool GuardedTransport::open(const rtps::Locator_t& at, TransportReceiverInterfac
 
 bool GuardedTransport::CloseInputChannel(const rtps::Locator_t& at) {
   descriptor_.parts.reception->release();
-  if (radios() != nullptr) {
-    radios()->stop(port_of(at));
+  if (ports() != nullptr) {
+    ports()->stop(port_of(at));
     receptions_.close(at.port);
     return true;
   }
@@ -134,7 +132,7 @@ bool GuardedTransport::CloseInputChannel(const rtps::Locator_t& at) {
 }
 
 bool GuardedTransport::IsInputChannelOpen(const rtps::Locator_t& at) const {
-  if (radios() != nullptr) return radios()->is_open(port_of(at));
+  if (ports() != nullptr) return ports()->is_open(port_of(at));
   const HostMulticastReceiver* const group = group_for(at);
   return group != nullptr ? group->is_running() : ChainingTransport::IsInputChannelOpen(at);
 }

@@ -15,14 +15,13 @@ namespace tocsin {
 
 class HostMulticastReceiver;
 class PacketFilter;
-class TwoRadios;
+class RadioPorts;
 
 /// What is particular to the transport of a participant on its host, or on the link.
 class TransportSide {
  public:
   using Locator = eprosima::fastdds::rtps::Locator_t;
   using Sender = eprosima::fastdds::rtps::SenderResource;
-  using Transport = eprosima::fastdds::rtps::TransportInterface;
   using Packet = std::pair<const std::uint8_t*, std::size_t>;
 
   virtual ~TransportSide() = default;
@@ -34,17 +33,14 @@ class TransportSide {
                                         std::vector<std::uint8_t>& changed) = 0;
   /// Held while a packet that came to `local` is handed on.
   [[nodiscard]] virtual std::unique_lock<std::mutex> turn(const Locator& /*local*/) { return {}; }
-  /// What receives by two paths; null: there is one.
-  [[nodiscard]] virtual TwoRadios* radios() { return nullptr; }
+  /// What receives in place of the transport below; null: nothing does.
+  [[nodiscard]] virtual RadioPorts* ports() { return nullptr; }
   /// Where a sender is, as Fast DDS knows it.
   [[nodiscard]] virtual Locator known_as(const Locator& from) const { return from; }
   /// What receives multicast; null: nothing does.
   [[nodiscard]] virtual HostMulticastReceiver* group() { return nullptr; }
-  /// Where packets for a peer's locator go; false: nowhere. `udp`: the transport below.
-  [[nodiscard]] virtual bool reach(const Locator& remote, Locator& result,
-                                   const Transport& udp) const {
-    return udp.transform_remote_locator(remote, result);
-  }
+  /// Where packets for a peer's locator go; false: nowhere.
+  [[nodiscard]] virtual bool reach(const Locator& remote, Locator& result) const = 0;
   /// Of RTPS messages that are sent.
   [[nodiscard]] virtual std::uint32_t message_bytes() const = 0;
 };

@@ -96,8 +96,7 @@ class HostSide final : public TransportSide {
   /// Whom we hear is on this host, and whoever listens to an address of this host, listens to
   /// loopback. Peers are never sent to by multicast, since each listens to it on an interface of
   /// its choice only; the group of our own domain is for announcements.
-  [[nodiscard]] bool reach(const Locator& remote, Locator& result,
-                           const Transport& /*udp*/) const override {
+  [[nodiscard]] bool reach(const Locator& remote, Locator& result) const override {
     if (remote.kind != LOCATOR_KIND_UDPv4) return false;
     result = remote;
     if (IPLocator::isMulticast(remote)) {

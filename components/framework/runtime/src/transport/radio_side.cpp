@@ -37,8 +37,7 @@ constexpr std::size_t copies_of_last = 5;
 class RadioSender : public fast_dds::PacketSender {
  public:
   RadioSender(const std::string& address, RadioParts parts)
-      : sockets_{std::make_unique<RadioSocket>(address, parts.radios != nullptr),
-                 second_socket(parts)},
+      : sockets_{std::make_unique<RadioSocket>(address), second_socket(parts)},
         parts_(std::move(parts)),
         thread_([this] { run(); }) {
     pthread_setname_np(thread_.native_handle(), "link_discovery");
@@ -58,8 +57,8 @@ class RadioSender : public fast_dds::PacketSender {
  private:
   using Way = RadioMarks::Way;
   static std::unique_ptr<RadioSocket> second_socket(const RadioParts& parts) {
-    return parts.radios ? std::make_unique<RadioSocket>(parts.radios->second_address(), true)
-                        : nullptr;
+    const std::string& second = parts.ports->second_address();
+    return second.empty() ? nullptr : std::make_unique<RadioSocket>(second);
   }
   bool send_packet(const std::uint8_t* bytes, std::uint32_t whole, rtps::LocatorsIterator& next,
                    const rtps::LocatorsIterator& last) override {
@@ -118,7 +117,7 @@ class RadioSender : public fast_dds::PacketSender {
                  const Way& way) {
     bool any = false;
     if (way.paths[0]) any = send_by(0, {bytes, size}, to, way.dscp);
-    const auto second = way.paths[1] && parts_.radios ? parts_.radios->second_of(to) : std::nullopt;
+    const auto second = way.paths[1] ? parts_.ports->second_of(to) : std::nullopt;
     if (second) any = send_by(1, {bytes, size}, *second, way.dscp) || any;
     return any;
   }
@@ -147,7 +146,7 @@ class RadioSender : public fast_dds::PacketSender {
     }
   }
   void send_stop(std::uint32_t peer, const StopChannel::Bytes& bytes) {
-    const PathIndex path = parts_.radios && parts_.radios->is_second(peer) ? 1 : 0;
+    const PathIndex path = parts_.ports->is_second(peer) ? 1 : 0;
     for (const rtps::Locator_t& to : parts_.stop_peers) {
       if (ipv4_of(to) != peer) continue;
       const int dscp = parts_.marks->mark_stop(header_.size() + bytes.size(), path);
@@ -253,12 +252,16 @@ class RadioSide final : public TransportSide {
             parts_.stop->take(packet.first, packet.second, ipv4_of(from),
                               std::chrono::steady_clock::now(), wall_now_ns() / 1'000'000'000)};
   }
-  [[nodiscard]] Locator known_as(const Locator& from) const override {
-    return parts_.radios ? parts_.radios->first_of(from).value_or(from) : from;
+  /// Its sender has an address, whichever interface bears that, and when.
+  [[nodiscard]] bool reach(const Locator& remote, Locator& result) const override {
+    result = remote;
+    return remote.kind == LOCATOR_KIND_UDPv4;
   }
-  [[nodiscard]] TwoRadios* radios() override { return parts_.radios.get(); }
+  [[nodiscard]] Locator known_as(const Locator& from) const override {
+    return parts_.ports->first_of(from).value_or(from);
+  }
+  [[nodiscard]] RadioPorts* ports() override { return parts_.ports.get(); }
   [[nodiscard]] std::unique_lock<std::mutex> turn(const Locator& local) override {
-    if (!parts_.radios) return {};
     return std::unique_lock<std::mutex>(turns_[local.port % 2]);
   }
   [[nodiscard]] std::uint32_t message_bytes() const override {

@@ -10,8 +10,8 @@
 #include "runtime/fast_dds/names.hpp"
 #include "transport/guarded_transport.hpp"
 #include "transport/radio_marks.hpp"
+#include "transport/radio_ports.hpp"
 #include "transport/stop_channel.hpp"
-#include "transport/two_radios.hpp"
 
 namespace tocsin {
 
@@ -23,7 +23,7 @@ struct RadioParts {
   std::shared_ptr<StopChannel> stop;               ///< null: no emergency stop
   /// Where packets of its own go, by each path.
   std::vector<eprosima::fastdds::rtps::Locator_t> stop_peers;
-  std::shared_ptr<TwoRadios> radios;  ///< null: there is one path
+  std::shared_ptr<RadioPorts> ports;  ///< by which it receives
 };
 
 /// UDP on the link: it sends through a socket of its own from `address`, each packet with the code

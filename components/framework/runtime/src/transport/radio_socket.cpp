@@ -19,12 +19,12 @@ std::uint32_t ipv4_of(const rtps::Locator_t& locator) {
   return ntohl(address.s_addr);
 }
 
-FileDescriptor radio_socket(const std::string& address, std::uint16_t port, bool comes_later) {
+FileDescriptor radio_socket(const std::string& address, std::uint16_t port) {
   FileDescriptor socket(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
   sockaddr_in own{};
   own.sin_family = AF_INET;
   own.sin_port = htons(port);
-  const int free = comes_later ? 1 : 0;
+  const int free = 1;
   const bool bound = socket && inet_pton(AF_INET, address.c_str(), &own.sin_addr) == 1 &&
                      ::setsockopt(socket.get(), IPPROTO_IP, IP_FREEBIND, &free, sizeof free) == 0 &&
                      ::bind(socket.get(), reinterpret_cast<const sockaddr*>(&own), sizeof own) == 0;

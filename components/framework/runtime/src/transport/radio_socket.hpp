@@ -14,16 +14,14 @@ namespace tocsin {
 /// IPv4 of a locator, host byte order.
 [[nodiscard]] std::uint32_t ipv4_of(const eprosima::fastdds::rtps::Locator_t& locator);
 
-/// A UDP socket at an address and port (0: any). `comes_later`: the address need not be on an
-/// interface yet. Without a descriptor when that is refused.
-[[nodiscard]] FileDescriptor radio_socket(const std::string& address, std::uint16_t port,
-                                          bool comes_later);
+/// A UDP socket at an address and port (0: any), which need not be on an interface yet: that may
+/// come later. Empty, with errno, when that is refused.
+[[nodiscard]] FileDescriptor radio_socket(const std::string& address, std::uint16_t port);
 
 /// A UDP socket bound to the address of the radio's interface. Any thread sends.
 class RadioSocket {
  public:
-  explicit RadioSocket(const std::string& address, bool comes_later = false)
-      : socket_(radio_socket(address, 0, comes_later)) {}
+  explicit RadioSocket(const std::string& address) : socket_(radio_socket(address, 0)) {}
 
   [[nodiscard]] bool usable() const { return static_cast<bool>(socket_); }
   /// A packet of `size` bytes and `more` behind them. A full socket loses it, as the radio would.

@@ -40,9 +40,7 @@ struct Pair {
     }
     visitor.text("text", "x");
   }
-  static TypeInfo info() {
-    return {"pair", create, nullptr, nullptr, deserialize, visit, nullptr, skip};
-  }
+  static TypeInfo info() { return {"pair", create, nullptr, nullptr, deserialize, visit, nullptr}; }
 };
 
 template <class Number>

@@ -87,6 +87,32 @@ class PacketTransport : public rtps::ChainingTransport {
   }
 #endif
   // NOLINTEND(readability-function-size)
+
+#if TOCSIN_FAST_DDS >= 3
+  bool transform_remote_locator(const rtps::Locator_t& remote, rtps::Locator_t& result,
+                                bool /*loopback_there*/, bool /*loopback_here*/) const final {
+    return reach(remote, result);
+  }
+#endif
+  bool transform_remote_locator(const rtps::Locator_t& remote,
+                                rtps::Locator_t& result) const final {
+    return reach(remote, result);
+  }
+
+ protected:
+  /// Where packets for a peer's locator go; false: nowhere.
+  [[nodiscard]] virtual bool reach(const rtps::Locator_t& remote,
+                                   rtps::Locator_t& result) const = 0;
+  /// The same of the transport below.
+  [[nodiscard]] bool reach_below(const rtps::Locator_t& remote, rtps::Locator_t& result) const {
+#if TOCSIN_FAST_DDS >= 3
+    constexpr bool loopback_will_do = true;
+    return low_level_transport_->transform_remote_locator(remote, result, loopback_will_do,
+                                                          loopback_will_do);
+#else
+    return low_level_transport_->transform_remote_locator(remote, result);
+#endif
+  }
 };
 
 }  // namespace tocsin::fast_dds

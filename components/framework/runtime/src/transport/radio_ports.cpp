@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "transport/two_radios.hpp"
+#include "transport/radio_ports.hpp"
 
 #include <arpa/inet.h>
 #include <pthread.h>
@@ -35,18 +35,21 @@ std::optional<rtps::Locator_t> moved(const std::map<std::uint32_t, std::uint32_t
   return to;
 }
 
+FileDescriptor opened(const std::string& address, std::uint16_t port) {
+  FileDescriptor socket = radio_socket(address, port);
+  if (socket) return socket;
+  throw EnvironmentError(
+      "UDP " + address + ":" + std::to_string(port) +
+      ", a path over the link, cannot be listened to: " + std::generic_category().message(errno));
+}
+
 }  // namespace
 
 /// A port of one path.
-class TwoRadios::Port {
+class RadioPorts::Port {
  public:
-  Port(const std::string& address, std::uint16_t number, OnPacket on_packet)
-      : socket_(radio_socket(address, number, true)), on_packet_(std::move(on_packet)) {
-    if (!socket_) {
-      throw EnvironmentError("UDP " + address + ":" + std::to_string(number) +
-                             ", a path over the link, cannot be listened to: " +
-                             std::generic_category().message(errno));
-    }
+  Port(FileDescriptor socket, OnPacket on_packet)
+      : socket_(std::move(socket)), on_packet_(std::move(on_packet)) {
     thread_ = std::thread([this] { run(); });
     pthread_setname_np(thread_.native_handle(), "radio_path");
   }
@@ -72,7 +75,7 @@ class TwoRadios::Port {
   std::thread thread_;
 };
 
-TwoRadios::TwoRadios(const TwoRadiosPlace& place)
+RadioPorts::RadioPorts(const RadioPlace& place)
     : first_address_(place.first_address), second_address_(place.second_address) {
   const auto firsts = ipv4_addresses(place.first_peers);
   const auto seconds = ipv4_addresses(place.second_peers);
@@ -82,24 +85,36 @@ TwoRadios::TwoRadios(const TwoRadiosPlace& place)
   }
 }
 
-TwoRadios::~TwoRadios() = default;
+RadioPorts::~RadioPorts() = default;
 
-void TwoRadios::start(std::uint16_t port, const OnPacket& on_packet) {
-  auto& both = ports_[port];
-  both.push_back(std::make_unique<Port>(first_address_, port, on_packet));
-  both.push_back(
-      std::make_unique<Port>(second_address_, port, [this, on_packet](const RadioPacket& packet) {
-        if (is_second(ntohl(packet.from.sin_addr.s_addr))) on_packet(packet);
-      }));
+bool RadioPorts::claim(std::uint16_t port) {
+  FileDescriptor socket = radio_socket(first_address_, port);
+  if (!socket) return false;
+  claimed_[port] = std::move(socket);
+  return true;
 }
 
-void TwoRadios::stop(std::uint16_t port) { ports_.erase(port); }
+void RadioPorts::start(std::uint16_t port, const OnPacket& on_packet) {
+  auto& both = ports_[port];
+  FileDescriptor claimed = std::move(claimed_[port]);
+  claimed_.erase(port);
+  both.push_back(std::make_unique<Port>(claimed ? std::move(claimed) : opened(first_address_, port),
+                                        on_packet));
+  if (second_address_.empty()) return;
+  both.push_back(std::make_unique<Port>(opened(second_address_, port),
+                                        [this, on_packet](const RadioPacket& packet) {
+                                          if (is_second(ntohl(packet.from.sin_addr.s_addr)))
+                                            on_packet(packet);
+                                        }));
+}
 
-std::optional<TwoRadios::Locator> TwoRadios::second_of(const Locator& first) const {
+void RadioPorts::stop(std::uint16_t port) { ports_.erase(port); }
+
+std::optional<RadioPorts::Locator> RadioPorts::second_of(const Locator& first) const {
   return moved(seconds_, first);
 }
 
-std::optional<TwoRadios::Locator> TwoRadios::first_of(const Locator& second) const {
+std::optional<RadioPorts::Locator> RadioPorts::first_of(const Locator& second) const {
   return moved(firsts_, second);
 }
 

@@ -12,17 +12,18 @@
 #include <string>
 #include <vector>
 
+#include "foundation/file_descriptor.hpp"
 #include "foundation/time.hpp"
 #include "runtime/fast_dds/names.hpp"
 
 namespace tocsin {
 
-/// Where the two paths of a router go.
-struct TwoRadiosPlace {
-  std::string first_address;              ///< IPv4 of its interface, which may come later
-  std::string second_address;             ///< the same
-  std::vector<std::string> first_peers;   ///< IPv4 of the peers by the first path
-  std::vector<std::string> second_peers;  ///< the same peers by the second, in the same order
+/// Where the paths of a router go; one or two.
+struct RadioPlace {
+  std::string first_address;                   ///< IPv4 of its interface, which may come later
+  std::string second_address = {};             ///< the same; empty: there is one path
+  std::vector<std::string> first_peers = {};   ///< IPv4 of the peers by the first path
+  std::vector<std::string> second_peers = {};  ///< the same by the second, in the same order
 };
 
 /// A packet as it came to a port.
@@ -33,20 +34,22 @@ struct RadioPacket {
   Duration waited;  ///< in the socket, see SocketWait
 };
 
-/// Receives what the peers send by two paths, on sockets of its own, which need no interface yet.
-/// Fast DDS knows the first path alone: a peer is where its first address is, and its ports are the
-/// same on both.
-class TwoRadios {
+/// Receives what the peers send, on sockets of its own, which need no interface yet: Fast DDS 3
+/// asks once which interfaces there are, and a radio comes and goes. Of two paths Fast DDS knows
+/// the first alone: a peer is where its first address is, and its ports are the same on both.
+class RadioPorts {
  public:
   using Locator = eprosima::fastdds::rtps::Locator_t;
   /// Called by a thread of the port and path.
   using OnPacket = std::function<void(const RadioPacket&)>;
 
-  explicit TwoRadios(const TwoRadiosPlace& place);
-  ~TwoRadios();
-  TwoRadios(const TwoRadios&) = delete;
-  TwoRadios& operator=(const TwoRadios&) = delete;
+  explicit RadioPorts(const RadioPlace& place);
+  ~RadioPorts();
+  RadioPorts(const RadioPorts&) = delete;
+  RadioPorts& operator=(const RadioPorts&) = delete;
 
+  /// Keeps a port of the first path for `start`; false: somebody else has it.
+  [[nodiscard]] bool claim(std::uint16_t port);
   /// Of the second path, packets of peers only. Throws EnvironmentError when the port is taken.
   void start(std::uint16_t port, const OnPacket& on_packet);
   /// Returns when the port's threads have ended.
@@ -65,6 +68,7 @@ class TwoRadios {
   const std::string second_address_;
   std::map<std::uint32_t, std::uint32_t> seconds_;  ///< addresses, host order, by the first ones
   std::map<std::uint32_t, std::uint32_t> firsts_;
+  std::map<std::uint16_t, FileDescriptor> claimed_;
   std::map<std::uint16_t, std::vector<std::unique_ptr<Port>>> ports_;
 };
 
