@@ -37,7 +37,7 @@ constexpr std::size_t picture_bytes = 300'000;  // 5 fragments
 const std::string peer = std::string(TOCSIN_REPOSITORY) + "/test/rtps_peer";
 
 std::string output_of(const std::string& command) {
-  const std::unique_ptr<FILE, decltype(&pclose)> pipe(popen(command.c_str(), "r"), pclose);
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
   std::string text;
   std::array<char, 4096> part{};
   while (pipe && fgets(part.data(), static_cast<int>(part.size()), pipe.get()) != nullptr) {

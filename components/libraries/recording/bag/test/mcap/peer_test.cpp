@@ -17,7 +17,7 @@ namespace {
 const std::string peer = TOCSIN_REPOSITORY "/test/mcap_peer";
 
 std::optional<std::string> output_of(const std::string& command) {
-  const std::unique_ptr<FILE, decltype(&pclose)> pipe(popen(command.c_str(), "r"), pclose);
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
   std::string text;
   std::array<char, 4096> part{};
   while (pipe && fgets(part.data(), static_cast<int>(part.size()), pipe.get()) != nullptr) {
