@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "runtime/fast_dds/names.hpp"
 #include "strangers.hpp"
 
 namespace tocsin::interop {
@@ -24,6 +25,7 @@ class Strangers : public ::testing::Test {
 bool Strangers::has_network = false;
 
 TEST_F(Strangers, CycloneWithAnIdentityOfOursJoinsWritesAndReads) {
+  if (fast_dds::version >= 3) GTEST_SKIP() << "Cyclone DDS does not join Fast DDS 3 (SECURITY.md)";
   Link sut(&identities_);
   const Reached reached = sut.attempt({"cyclone", Role::uxv, identities_.good("rover"), in_time});
   EXPECT_EQ(reached.failed, 0);

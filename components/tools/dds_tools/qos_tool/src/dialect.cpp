@@ -37,27 +37,36 @@ Places fast_dds_of_both() {
   };
 }
 
-Places fast_dds_writer() {
-  return joined_places({{"reliability", "qos/reliability/kind", Form::word},
-                        {"durability", "qos/durability/kind", Form::word},
-                        {"lifespan_s", "qos/lifespan/duration", Form::seconds},
-                        {"publish_mode", "qos/publishMode/kind", Form::word},
-                        {"ownership_strength", "qos/ownershipStrength/value", Form::number},
-                        {"heartbeat_piggyback", "qos/disable_heartbeat_piggyback", Form::not_flag},
-                        {"initial_heartbeat_delay_s", "times/initialHeartbeatDelay", Form::seconds},
-                        {"heartbeat_period_s", "times/heartbeatPeriod", Form::seconds},
-                        {"nack_response_delay_s", "times/nackResponseDelay", Form::seconds},
-                        {"nack_suppression_s", "times/nackSupressionDuration", Form::seconds}},
-                       fast_dds_of_both());
+Places fast_dds_writer(Vendor vendor) {
+  const auto time = [vendor](const char* two, const char* three) {
+    return std::string("times/") + (vendor == Vendor::fast_dds ? two : three);
+  };
+  return joined_places(
+      {{"reliability", "qos/reliability/kind", Form::word},
+       {"durability", "qos/durability/kind", Form::word},
+       {"lifespan_s", "qos/lifespan/duration", Form::seconds},
+       {"publish_mode", "qos/publishMode/kind", Form::word},
+       {"ownership_strength", "qos/ownershipStrength/value", Form::number},
+       {"heartbeat_piggyback", "qos/disable_heartbeat_piggyback", Form::not_flag},
+       {"initial_heartbeat_delay_s", time("initialHeartbeatDelay", "initial_heartbeat_delay"),
+        Form::seconds},
+       {"heartbeat_period_s", time("heartbeatPeriod", "heartbeat_period"), Form::seconds},
+       {"nack_response_delay_s", time("nackResponseDelay", "nack_response_delay"), Form::seconds},
+       {"nack_suppression_s", time("nackSupressionDuration", "nack_supression_duration"),
+        Form::seconds}},
+      fast_dds_of_both());
 }
 
-Places fast_dds_reader() {
+Places fast_dds_reader(Vendor vendor) {
+  const bool two = vendor == Vendor::fast_dds;
   return joined_places(
       {{"reliability", "qos/reliability/kind", Form::word},
        {"durability", "qos/durability/kind", Form::word},
        {"", "qos/lifespan/duration", Form::seconds, "", ".inf"},
-       {"initial_acknack_delay_s", "times/initialAcknackDelay", Form::seconds},
-       {"heartbeat_response_delay_s", "times/heartbeatResponseDelay", Form::seconds}},
+       {"initial_acknack_delay_s",
+        two ? "times/initialAcknackDelay" : "times/initial_acknack_delay", Form::seconds},
+       {"heartbeat_response_delay_s",
+        two ? "times/heartbeatResponseDelay" : "times/heartbeat_response_delay", Form::seconds}},
       fast_dds_of_both());
 }
 
@@ -98,14 +107,13 @@ constexpr const char* of_runtime = "the runtime does it, neither DDS nor Fast DD
 constexpr const char* of_fast_dds = "DDS knows no such policy; Cyclone DDS decides by itself";
 
 const std::map<std::string, const char*>& lost_to_fast_dds() {
-  constexpr const char* no_flow = "Fast DDS 2.9.1 has flow controllers in C++ only, not in XML";
+  constexpr const char* no_flow = "Fast DDS has flow controllers in C++ only, not in XML";
   static const std::map<std::string, const char*> lost{
       {"flow_controller", no_flow},
       {"priority", no_flow},
       {"bandwidth_reservation_percent", no_flow},
       {"max_rate_hz", of_runtime},
-      {"minimum_separation_s",
-       "Fast DDS 2.9.1 announces a time-based filter and delivers everything"}};
+      {"minimum_separation_s", "Fast DDS announces a time-based filter and delivers everything"}};
   return lost;
 }
 
@@ -134,16 +142,19 @@ const std::map<std::string, const char*>& lost_to_cyclone() {
 }  // namespace
 
 const std::vector<Place>& places(Vendor vendor, bool writer) {
-  static const Places of_fast_writer = fast_dds_writer();
-  static const Places of_fast_reader = fast_dds_reader();
+  static const Places of_fast_writer = fast_dds_writer(Vendor::fast_dds);
+  static const Places of_fast_reader = fast_dds_reader(Vendor::fast_dds);
+  static const Places of_fast_3_writer = fast_dds_writer(Vendor::fast_dds_3);
+  static const Places of_fast_3_reader = fast_dds_reader(Vendor::fast_dds_3);
   static const Places of_cyclone_writer = cyclone_writer();
   static const Places of_cyclone_reader = cyclone_reader();
   if (vendor == Vendor::fast_dds) return writer ? of_fast_writer : of_fast_reader;
+  if (vendor == Vendor::fast_dds_3) return writer ? of_fast_3_writer : of_fast_3_reader;
   return writer ? of_cyclone_writer : of_cyclone_reader;
 }
 
 std::string why_lost(Vendor vendor, const std::string& policy) {
-  const auto& lost = vendor == Vendor::fast_dds ? lost_to_fast_dds() : lost_to_cyclone();
+  const auto& lost = vendor == Vendor::cyclone ? lost_to_cyclone() : lost_to_fast_dds();
   const auto found = lost.find(policy);
   return found != lost.end() ? found->second : "";
 }

@@ -54,7 +54,7 @@ XMLElement& holder_of_profiles(Vendor vendor, tinyxml2::XMLDocument& document) {
   document.InsertEndChild(document.NewDeclaration());
   XMLElement* const root = document.NewElement("dds");
   document.InsertEndChild(root);
-  if (vendor == Vendor::fast_dds) {
+  if (vendor != Vendor::cyclone) {
     root->SetAttribute("xmlns", "http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles");
     return *root->InsertNewChildElement("profiles");
   }
@@ -73,7 +73,7 @@ void note_losses(Vendor vendor, const std::string& name, const QosProfile& profi
     lost.push_back(fmt::format("{}.{}: {} is lost: {}", name, one.policy, one.value, why));
   }
   const auto& names = profile.partition;
-  if (vendor == Vendor::fast_dds && std::count(names.begin(), names.end(), "") > 0) {
+  if (vendor != Vendor::cyclone && std::count(names.begin(), names.end(), "") > 0) {
     lost.push_back(name +
                    ".partition: the partition without name is lost: Fast DDS 2.9.1 refuses "
                    "an empty <name>");
@@ -82,7 +82,7 @@ void note_losses(Vendor vendor, const std::string& name, const QosProfile& profi
 
 QosProfile without_unsaid_partition(Vendor vendor, QosProfile profile) {
   auto& names = profile.partition;
-  if (vendor == Vendor::fast_dds)
+  if (vendor != Vendor::cyclone)
     names.erase(std::remove(names.begin(), names.end(), ""), names.end());
   return profile;
 }

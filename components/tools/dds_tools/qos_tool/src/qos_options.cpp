@@ -84,8 +84,8 @@ void declare_export(Verbs& verbs, Options& options) {
   CLI::App* const out = verb(verbs, options, "export", "profiles as XML of another vendor",
                              qos_verb::export_profiles);
   out->add_option("PROFILE", options.profiles, "[all]");
-  out->add_option("--to", options.vendor, "fastdds or cyclone [fastdds]")
-      ->check(CLI::IsMember({"fastdds", "cyclone"}));
+  out->add_option("--to", options.vendor, "fastdds (Fast DDS 2), fastdds3 or cyclone [fastdds]")
+      ->check(CLI::IsMember({"fastdds", "fastdds3", "cyclone"}));
 }
 
 void declare_tune(Verbs& verbs, Options& options) {

@@ -138,8 +138,11 @@ int export_profiles(const Options& options) {
   const QosProfiles profiles = profiles_of(options);
   std::map<std::string, QosProfile> chosen;
   for (const std::string& name : options.profiles) chosen[name] = find_profile(profiles, name);
-  const auto exported = export_xml(options.vendor == "cyclone" ? Vendor::cyclone : Vendor::fast_dds,
-                                   options.profiles.empty() ? profiles.all() : chosen);
+  static const std::map<std::string, Vendor> vendors{{"fastdds", Vendor::fast_dds},
+                                                     {"fastdds3", Vendor::fast_dds_3},
+                                                     {"cyclone", Vendor::cyclone}};
+  const auto exported =
+      export_xml(vendors.at(options.vendor), options.profiles.empty() ? profiles.all() : chosen);
   print(exported.xml);
   for (const std::string& one : exported.lost) {
     std::fprintf(stderr, "lost: %s\n", error_line(one).c_str());

@@ -62,7 +62,7 @@ TEST_P(DialectTest, APlaceIsOfAPolicyThatThereIs) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Vendors, DialectTest,
-                         ::testing::Values(Vendor::fast_dds, Vendor::cyclone));
+                         ::testing::Values(Vendor::fast_dds, Vendor::fast_dds_3, Vendor::cyclone));
 
 }  // namespace
 }  // namespace tocsin::qos_tool

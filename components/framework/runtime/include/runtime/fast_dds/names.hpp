@@ -56,6 +56,8 @@ inline constexpr auto RETCODE_OK = ReturnCode_t::RETCODE_OK;
 
 namespace tocsin::fast_dds {
 
+inline constexpr int version = TOCSIN_FAST_DDS;
+
 /// What a write has answered.
 [[nodiscard]] inline bool is_ok(bool written) { return written; }
 [[nodiscard]] inline bool is_ok(const eprosima::fastdds::dds::ReturnCode_t& code) {
