@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "runtime/fast_dds/names.hpp"
+#include "runtime/fast_dds/version.hpp"
 #include "strangers.hpp"
 
 namespace tocsin::interop {

@@ -10,6 +10,7 @@
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 
 #include "runtime/fast_dds/settings.hpp"
+#include "runtime/fast_dds/version.hpp"
 #include "runtime/middleware/fast_dds_qos.hpp"
 #include "runtime/middleware/qos_profile.hpp"
 #include "vendor_xml.hpp"

@@ -4,8 +4,9 @@
 /// The names of Fast DDS 3, also where Fast DDS 2.9 is installed. This folder is the only place
 /// that knows which one it is.
 
-#if __has_include(<fastdds/config.hpp>)
-#define TOCSIN_FAST_DDS 3
+#include "runtime/fast_dds/version.hpp"
+
+#if TOCSIN_FAST_DDS >= 3
 
 #include <fastdds/dds/core/ReturnCode.hpp>
 #include <fastdds/dds/core/Time_t.hpp>
@@ -21,7 +22,6 @@
 #include <fastdds/utils/md5.hpp>
 
 #else
-#define TOCSIN_FAST_DDS 2
 
 #include <fastdds/rtps/attributes/RTPSParticipantAttributes.h>
 #include <fastdds/rtps/common/Guid.h>
@@ -55,8 +55,6 @@ inline constexpr auto RETCODE_OK = ReturnCode_t::RETCODE_OK;
 #endif
 
 namespace tocsin::fast_dds {
-
-inline constexpr int version = TOCSIN_FAST_DDS;
 
 /// What a write has answered.
 [[nodiscard]] inline bool is_ok(bool written) { return written; }
