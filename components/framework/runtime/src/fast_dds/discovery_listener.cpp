@@ -81,7 +81,8 @@ void DiscoveryListener::on_participant(const fast_dds::DiscoveredParticipant& pa
 void DiscoveryListener::on_authentication(const Prefix& participant, bool authorized) {
   std::unique_lock<std::mutex> lock(mutex_);
   const auto stranger = strangers_.find(participant);
-  const std::string name = stranger == strangers_.end() ? "" : stranger->second;
+  const bool is_found = stranger != strangers_.end();
+  const std::string name = is_found ? stranger->second : "";  // may be empty: Cyclone DDS has none
   // A message that anybody has sent in its name may have been refused; its own may follow.
   if (authorized) {
     authenticated_.insert(participant);
@@ -90,8 +91,8 @@ void DiscoveryListener::on_authentication(const Prefix& participant, bool author
   lock.unlock();
   if (authorized) {
     filter_->authenticate(participant);
-    if (!name.empty()) ends_.add(participant, name);
-  } else if (!name.empty()) {
+    if (is_found) ends_.add(participant, name);
+  } else if (is_found) {
     log_.warn("participant '{}' is refused: its identity is not accepted", printable(name));
   }
 }
