@@ -36,7 +36,7 @@ class Traffic {
       now_s_ = std::min({next_move_s_, next_probe_s_, next_telemetry_s_, next_camera_s_});
       if (now_s_ >= end_s) break;
       frames += step(channel);
-      while (const auto outcome = channel.take()) benchmark::DoNotOptimize(outcome->at);
+      while (auto outcome = channel.take()) benchmark::DoNotOptimize(outcome->at);
     }
     now_s_ = end_s;
     return frames;
