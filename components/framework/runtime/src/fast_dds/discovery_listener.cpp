@@ -68,8 +68,10 @@ void DiscoveryListener::on_participant(const fast_dds::DiscoveredParticipant& pa
       strangers_.erase(participant.prefix);
       authenticated_.erase(participant.prefix);
       filter_->forget(participant.prefix);
+    } else if (presence == fast_dds::Presence::changed) {
+      return;  // Fast DDS 2.9 takes announcements of anybody in its name
     } else if (authenticated_.count(participant.prefix) == 0) {
-      if (presence == fast_dds::Presence::found) strangers_[participant.prefix] = participant.name;
+      strangers_[participant.prefix] = participant.name;
       return;
     }
   }

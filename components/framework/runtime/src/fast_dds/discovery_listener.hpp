@@ -23,19 +23,18 @@ enum class Acquaintance { at_once, when_authenticated };
 /// Notes what discovery tells of other participants. Only notes: Fast DDS holds its locks then.
 class DiscoveryListener : public fast_dds::DiscoveryEvents {
  public:
+  using Prefix = eprosima::fastdds::rtps::GuidPrefix_t;
   /// `filter`: learns who is authenticated.
   DiscoveryListener(RemoteEnds& ends, Acquaintance acquaintance,
                     std::shared_ptr<PacketFilter> filter)
       : ends_(ends), acquaintance_(acquaintance), filter_(std::move(filter)) {}
-
- private:
-  using Prefix = eprosima::fastdds::rtps::GuidPrefix_t;
   void on_participant(const fast_dds::DiscoveredParticipant& participant,
                       fast_dds::Presence presence) override;
   void on_authentication(const Prefix& participant, bool authorized) override;
   void on_end(const fast_dds::DiscoveredEnd& end, bool writer,
               fast_dds::Presence presence) override;
 
+ private:
   RemoteEnds& ends_;
   const Acquaintance acquaintance_;
   const std::shared_ptr<PacketFilter> filter_;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fast_dds/instance_key.hpp"
-#include "runtime/fast_dds/names.hpp"
 
 #include <algorithm>
 #include <vector>

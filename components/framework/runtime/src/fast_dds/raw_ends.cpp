@@ -6,7 +6,6 @@
 
 #include "fast_dds/cdr_topic_type.hpp"
 #include "idl_support/raw_type.hpp"
-#include "runtime/fast_dds/names.hpp"
 
 namespace tocsin {
 namespace {

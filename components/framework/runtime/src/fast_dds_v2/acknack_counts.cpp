@@ -5,7 +5,6 @@
 #include <cstring>
 #include <optional>
 
-#include "runtime/fast_dds/names.hpp"
 #include "runtime/middleware/rtps_message.hpp"
 
 namespace tocsin {

@@ -7,7 +7,6 @@
 #include "graph/ros_graph.hpp"
 #include "link/encoded_piece.hpp"
 #include "rtps/origin.hpp"
-#include "runtime/fast_dds/names.hpp"
 #include "runtime/middleware/link_bus.hpp"
 #include "transport/socket_wait.hpp"
 
@@ -47,6 +46,14 @@ TakenSample taken(IncomingSample& incoming, const dds::SampleInfo& info) {
   result.sample.sent_wall_ns = info.source_timestamp.to_ns();
   result.waited = waited_in_socket();
   return result;
+}
+
+/// The number that Fast DDS gave it; nothing when it refused.
+std::optional<std::uint64_t> put(dds::DataWriter& writer, OutgoingSample& outgoing,
+                                 rtps::WriteParams& params) {
+  auto* const carried = static_cast<CarriedMessage*>(&outgoing);
+  if (!fast_dds::is_ok(writer.write(carried, params))) return std::nullopt;
+  return params.sample_identity().sequence_number().to64long();
 }
 
 }  // namespace
@@ -102,17 +109,13 @@ std::optional<std::uint64_t> FlowWriter::write(const CarriedSample& sample, Samp
   OutgoingSample outgoing(piece.is_whole() ? sample.content.get() : &part);
   rtps::WriteParams params =
       on_behalf_of({sample.source, sample.sequence, piece, sample.coding}, sample.sent_wall_ns);
-  auto* const carried = static_cast<CarriedMessage*>(&outgoing);
-  if (!fast_dds::is_ok(writer_->write(carried, params))) return std::nullopt;
-  return params.sample_identity().sequence_number().to64long();
+  return put(*writer_, outgoing, params);
 }
 
 std::optional<std::uint64_t> FlowWriter::write_own(const CarriedSample& sample) {
   OutgoingSample outgoing(sample.content.get());
   rtps::WriteParams params;
-  auto* const carried = static_cast<CarriedMessage*>(&outgoing);
-  if (!fast_dds::is_ok(writer_->write(carried, params))) return std::nullopt;
-  return params.sample_identity().sequence_number().to64long();
+  return put(*writer_, outgoing, params);
 }
 
 rtps::EntityId_t FlowWriter::entity() const { return writer_->guid().entityId; }

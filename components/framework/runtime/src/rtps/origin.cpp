@@ -6,7 +6,6 @@
 #include <string>
 
 #include "foundation/hash.hpp"
-#include "runtime/fast_dds/names.hpp"
 
 namespace tocsin {
 namespace {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/middleware/rtps_message.hpp"
-#include "runtime/fast_dds/names.hpp"
 
 #include <algorithm>
 #include <array>

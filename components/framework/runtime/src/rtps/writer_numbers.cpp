@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "runtime/fast_dds/names.hpp"
 #include "runtime/middleware/rtps_message.hpp"
 
 namespace tocsin {

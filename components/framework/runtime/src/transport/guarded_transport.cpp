@@ -7,8 +7,6 @@
 #include <optional>
 
 #include "fast_dds_v2/key_onlys.hpp"
-#include "runtime/fast_dds/names.hpp"
-#include "runtime/fast_dds/transport.hpp"
 #include "transport/host_multicast.hpp"
 #include "transport/packet_filter.hpp"
 #include "transport/radio_ports.hpp"

@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "foundation/time.hpp"
-#include "runtime/fast_dds/names.hpp"
 #include "runtime/middleware/link_limits.hpp"
 #include "watch/dropped_packets.hpp"
 

@@ -14,7 +14,6 @@
 
 #include "foundation/error.hpp"
 #include "foundation/file_descriptor.hpp"
-#include "runtime/fast_dds/names.hpp"
 #include "transport/radio_socket.hpp"
 #include "transport/socket_wait.hpp"
 #include "transport/stop_channel.hpp"

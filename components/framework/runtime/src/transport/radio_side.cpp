@@ -18,7 +18,6 @@
 #include "fast_dds_v2/key_repeats.hpp"
 #include "fast_dds_v2/message_pieces.hpp"
 #include "rtps/this_host.hpp"
-#include "runtime/fast_dds/names.hpp"
 #include "runtime/middleware/rtps_message.hpp"
 #include "transport/radio_socket.hpp"
 #include "watch/activity.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "transport/radio_socket.hpp"
-#include "runtime/fast_dds/names.hpp"
 
 #include <arpa/inet.h>
 #include <sys/socket.h>

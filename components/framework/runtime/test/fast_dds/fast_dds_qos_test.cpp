@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/middleware/fast_dds_qos.hpp"
-#include "runtime/fast_dds/names.hpp"
 
 #include <gtest/gtest.h>
 

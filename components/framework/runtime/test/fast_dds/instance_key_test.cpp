@@ -9,7 +9,6 @@
 #include <string>
 
 #include "ros_idl/std_msgs.hpp"
-#include "runtime/fast_dds/names.hpp"
 #include "runtime/middleware/fast_dds_qos.hpp"
 
 namespace tocsin {

@@ -9,8 +9,6 @@
 #include <atomic>
 
 #include "fast_dds/bus_fixture.hpp"
-#include "runtime/fast_dds/names.hpp"
-#include "runtime/fast_dds/transport.hpp"
 #include "transport/guarded_transport.hpp"
 #include "transport/packet_filter.hpp"
 #include "watch/dropped_packets.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fast_dds_v2/discovery_pacer.hpp"
-#include "runtime/fast_dds/names.hpp"
 
 #include <gtest/gtest.h>
 

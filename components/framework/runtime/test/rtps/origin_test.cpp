@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "rtps/origin.hpp"
-#include "runtime/fast_dds/names.hpp"
 
 #include <gtest/gtest.h>
 

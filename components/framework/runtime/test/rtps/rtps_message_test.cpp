@@ -7,7 +7,6 @@
 
 #include "link/rtps_bytes.hpp"
 #include "rtps/origin.hpp"
-#include "runtime/fast_dds/names.hpp"
 
 namespace tocsin {
 namespace {

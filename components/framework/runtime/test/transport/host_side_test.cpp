@@ -11,7 +11,6 @@
 
 #include "fast_dds/bus_fixture.hpp"
 #include "foundation/file_descriptor.hpp"
-#include "runtime/fast_dds/names.hpp"
 #include "runtime/fast_dds/transport.hpp"
 #include "transport/host_multicast.hpp"
 #include "transport/packet_filter.hpp"

@@ -8,7 +8,6 @@
 #include <ctime>
 #include <thread>
 
-#include "runtime/fast_dds/names.hpp"
 #include "watch/dropped_packets.hpp"
 
 namespace tocsin {

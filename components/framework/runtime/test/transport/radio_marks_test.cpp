@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "link/rtps_bytes.hpp"
-#include "runtime/fast_dds/names.hpp"
 
 namespace tocsin {
 namespace {

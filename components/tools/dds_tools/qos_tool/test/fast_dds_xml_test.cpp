@@ -9,7 +9,6 @@
 #include <fastdds/dds/publisher/Publisher.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 
-#include "runtime/fast_dds/settings.hpp"
 #include "runtime/fast_dds/version.hpp"
 #include "runtime/middleware/fast_dds_qos.hpp"
 #include "runtime/middleware/qos_profile.hpp"
@@ -62,7 +61,6 @@ class FastDdsXml : public ::testing::Test {
   void TearDown() override {
     participant_->delete_contained_entities();
     dds::DomainParticipantFactory::get_instance()->delete_participant(participant_);
-    fast_dds::forget_profiles();
   }
   static void load(const std::string& xml) {
     ASSERT_EQ(dds::DomainParticipantFactory::get_instance()->load_XML_profiles_string(xml.c_str(),

@@ -51,8 +51,15 @@ struct DiscoveredParticipant {
   std::string user_data;
 };
 
-/// Found or changed, or gone.
 enum class Presence { found, changed, gone };
+
+/// Of a status of either version.
+template <class Status>
+[[nodiscard]] Presence presence_of(Status status) {
+  if (status == Status::DISCOVERED_PARTICIPANT) return Presence::found;
+  const bool gone = status == Status::REMOVED_PARTICIPANT || status == Status::DROPPED_PARTICIPANT;
+  return gone ? Presence::gone : Presence::changed;
+}
 
 /// What discovery tells, whatever the version of Fast DDS, which holds its locks meanwhile.
 class DiscoveryEvents : public dds::DomainParticipantListener {
@@ -100,15 +107,9 @@ class DiscoveryEvents : public dds::DomainParticipantListener {
                                 rtps::ParticipantDiscoveryStatus status,
                                 const dds::ParticipantBuiltinTopicData& info,
                                 bool& /*ignore*/) override {
-    using Status = rtps::ParticipantDiscoveryStatus;
-    const bool gone =
-        status == Status::REMOVED_PARTICIPANT || status == Status::DROPPED_PARTICIPANT;
-    const bool found = status == Status::DISCOVERED_PARTICIPANT;
     on_participant(
         {info.guid.guidPrefix, info.participant_name.to_string(), text_of(info.user_data)},
-        gone    ? Presence::gone
-        : found ? Presence::found
-                : Presence::changed);
+        presence_of(status));
   }
   void on_data_reader_discovery(dds::DomainParticipant* self, rtps::ReaderDiscoveryStatus status,
                                 const dds::SubscriptionBuiltinTopicData& info,
@@ -142,17 +143,11 @@ class DiscoveryEvents : public dds::DomainParticipantListener {
   }
   void on_participant_discovery(dds::DomainParticipant* /*self*/,
                                 rtps::ParticipantDiscoveryInfo&& info) override {
-    using Info = rtps::ParticipantDiscoveryInfo;
-    const bool gone =
-        info.status == Info::REMOVED_PARTICIPANT || info.status == Info::DROPPED_PARTICIPANT;
-    const bool found = info.status == Info::DISCOVERED_PARTICIPANT;
     const auto& data = info.info.m_userData;
     on_participant({info.info.m_guid.guidPrefix,
                     info.info.m_participantName.to_string(),
                     {data.begin(), data.end()}},
-                   gone    ? Presence::gone
-                   : found ? Presence::found
-                           : Presence::changed);
+                   presence_of(info.status));
   }
   void on_subscriber_discovery(dds::DomainParticipant* self,
                                rtps::ReaderDiscoveryInfo&& info) override {

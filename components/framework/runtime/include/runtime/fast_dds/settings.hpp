@@ -30,13 +30,6 @@ inline void deliver_by_packets() {
 #endif
 }
 
-/// What XML files have said is known no more; Fast DDS 3 keeps it.
-inline void forget_profiles() {
-#if TOCSIN_FAST_DDS < 3
-  eprosima::fastrtps::xmlparser::XMLProfileManager::DeleteInstance();
-#endif
-}
-
 /// Times of a reliable writer.
 struct WriterTimes {
   dds::Duration_t initial_heartbeat_delay;
