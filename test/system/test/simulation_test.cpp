@@ -26,6 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using ::testing::Not;
 
 struct Simulated : Ended {
@@ -100,6 +101,17 @@ class SimulationTest : public ::testing::Test {
   const std::string folder_ = temporary_.path();
   int runs_ = 0;
 };
+
+TEST_F(SimulationTest, FiveVehiclesDriveTheirMissionsOnOneChannel) {
+  const Simulated run = sim("fleet.yaml --seed 1 --without camera");
+  EXPECT_EQ(run.code, 0) << run.output;
+  for (const char* vehicle : {"uxv1", "uxv2", "uxv3", "uxv4", "uxv5"}) {
+    const std::string side = vehicle + std::string("/gcs");
+    EXPECT_THAT(recorded(1, side, "location"), Not(IsEmpty())) << vehicle;
+    const auto states = column(recorded(1, side, "mission_status"), "state");
+    EXPECT_EQ(states.empty() ? "none" : states.back(), "done") << vehicle;
+  }
+}
 
 TEST_F(SimulationTest, MissionAIsDoneAndRecordedOnBothSides) {
   const Simulated run = sim("mission.yaml --seed 1");

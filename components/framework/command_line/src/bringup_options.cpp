@@ -21,6 +21,8 @@ void BringupOptions::declare(CLI::App& app) {
                  "host/process, or host/process/component, that is left out")
       ->expected(1)
       ->take_all();
+  app.add_option("--host", overrides.host,
+                 "this host of the file alone, over a real link: the others run elsewhere");
   app.add_option("--seed", overrides.seed, "value of ${seed}; decides everything random")
       ->check(is_seed());
   app.add_option("--channel", overrides.channel,
@@ -49,6 +51,7 @@ std::vector<std::string> BringupOptions::arguments() const {
   };
   for (const std::string& setting : overrides.set) add("--set", setting);
   for (const std::string& process : overrides.without) add("--without", process);
+  if (!overrides.host.empty()) add("--host", overrides.host);
   if (!overrides.channel.empty()) add("--channel", overrides.channel);
   if (!overrides.security.empty()) add("--security", overrides.security);
   if (!overrides.qos.empty()) add("--qos", overrides.qos);

@@ -53,6 +53,12 @@ struct PlannedRadio {
   std::string wireless;                ///< what a driver tells of it; empty: nothing
 };
 
+/// As link_emulator calls it: several vehicles have names, one is a role.
+std::string name_of_end(const deployment::Deployment& deployment, const deployment::Host& host) {
+  const bool is_named = host.role == Role::uxv && !deployment.vehicles.empty();
+  return is_named ? host.name : to_string(host.role);
+}
+
 ProcessSpec plan_radio(const deployment::Deployment& deployment, const PlannedRadio& radio,
                        const std::vector<int>& descriptors, const Folders& folders) {
   ProcessSpec spec{
@@ -66,12 +72,14 @@ ProcessSpec plan_radio(const deployment::Deployment& deployment, const PlannedRa
   add("--seed", std::to_string(deployment.seed));
   add("--interface", radio.interface);
   for (std::size_t i = 0; i < descriptors.size(); ++i) {
-    add("--end", std::string(to_string(deployment.hosts[i].role)) + ":/proc/self/fd/" +
+    add("--end", name_of_end(deployment, deployment.hosts[i]) + ":/proc/self/fd/" +
                      std::to_string(descriptors[i]) + ":" + radio.addresses[i] + "/24");
   }
-  add("--control", deployment.run_dir + "/" + radio.name + ".sock");
-  add("--stats", deployment.run_dir + "/" + radio.name + ".jsonl");
-  if (!radio.wireless.empty()) add("--wireless", deployment.run_dir + "/" + radio.wireless);
+  const std::string folder =
+      deployment.run_dir + (deployment.vehicles.empty() ? "/" : "/{vehicle}/");
+  add("--control", folder + radio.name + ".sock");
+  add("--stats", folder + radio.name + ".jsonl");
+  if (!radio.wireless.empty()) add("--wireless", folder + radio.wireless);
   return spec;
 }
 

@@ -82,6 +82,13 @@ TEST_F(PlanTest, JoinsTheHostsByTheirRoles) {
                           "--stats", "/run/radio.jsonl", "--wireless", "/run/wireless"));
 }
 
+TEST_F(PlanTest, JoinsSeveralVehiclesByTheirNames) {
+  deployment_.vehicles = {"robot"};
+  const auto radios = plan_radios(deployment_, {5, 6}, folders_);
+  EXPECT_THAT(radios.front().command, Contains("robot:/proc/self/fd/5:10.77.0.1/24"));
+  EXPECT_THAT(radios.front().command, Contains("/run/{vehicle}/wireless"));
+}
+
 TEST_F(PlanTest, ASecondRadioJoinsTheHostsByTheirSecondAddresses) {
   deployment_.radio->second = "/modem.yaml";
   deployment_.hosts[0].second = deployment::SecondPath{"10.78.0.1", {"10.78.0.2"}};

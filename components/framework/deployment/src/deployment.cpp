@@ -2,16 +2,15 @@
 #include "deployment/deployment.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <set>
 
+#include "bringup_reader.hpp"
 #include "foundation/error.hpp"
 #include "foundation/joined.hpp"
 #include "foundation/names.hpp"
 #include "foundation/printable.hpp"
 #include "foundation/spelling.hpp"
-#include "foundation/yaml_extends.hpp"
-#include "parameter_set.hpp"
+#include "parts.hpp"
 #include "reader.hpp"
 #include "replacements.hpp"
 
@@ -24,18 +23,6 @@ bool has_one_of(const Host& host, const std::set<std::string>& components) {
         one.components.begin(), one.components.end(),
         [&](const ComponentInstance& part) { return components.count(part.component) != 0; });
   });
-}
-
-/// "host/process" of every process, in starting order.
-std::vector<std::string> process_names(const Deployment& deployment) {
-  std::vector<std::string> names;
-  for (const Host& host : deployment.hosts) {
-    for (const Program& program : host.programs) names.push_back(host.name + "/" + program.name);
-    for (const Container& container : host.containers) {
-      names.push_back(host.name + "/" + container.name);
-    }
-  }
-  return names;
 }
 
 [[noreturn]] void fail(const Deployment& deployment, const std::string& what) {
@@ -56,9 +43,9 @@ void check_components(const Deployment& deployment) {
     std::vector<std::string> names;
     for (const Container& container : host.containers) {
       terminals += container.terminal ? 1 : 0;
-      for (const auto& instance : container.components) {
-        names.push_back(host.name + "/" + instance.name);
-      }
+      const std::string place =
+          host.name + "/" + (container.vehicle.empty() ? "" : container.vehicle + "/");
+      for (const auto& instance : container.components) names.push_back(place + instance.name);
     }
     check_unique(deployment, names, "component");
     if (!host.containers.empty() && (deployment.qos.empty() || deployment.traffic.empty())) {
@@ -99,19 +86,53 @@ void check_second_radio(const Deployment& deployment) {
   }
 }
 
+void check_addresses(const Deployment& deployment) {
+  const auto& hosts = deployment.hosts;
+  for (std::size_t i = 0; i < hosts.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (hosts[i].address != hosts[j].address &&
+          network_of(hosts[i].address) == network_of(hosts[j].address)) {
+        continue;
+      }
+      fail(deployment, "radio: the hosts' addresses " + hosts[j].address + " and " +
+                           hosts[i].address + " must be different addresses of one /24 network");
+    }
+  }
+}
+
 void check_radio(const Deployment& deployment) {
   check_second_paths(deployment);
   if (!deployment.radio) return;
-  const auto& hosts = deployment.hosts;
-  if (hosts.size() != 2 || hosts[0].role == hosts[1].role) {
+  const auto is_station = [](const Host& host) { return host.role == Role::gcs; };
+  const auto stations = std::count_if(deployment.hosts.begin(), deployment.hosts.end(), is_station);
+  if (stations != 1 || deployment.hosts.size() < 2) {
     fail(deployment, "radio: needs two hosts, one with role uxv and one with role gcs");
   }
-  if (hosts[0].address == hosts[1].address ||
-      network_of(hosts[0].address) != network_of(hosts[1].address)) {
-    fail(deployment, "radio: the hosts' addresses " + hosts[0].address + " and " +
-                         hosts[1].address + " must be different addresses of one /24 network");
+  check_addresses(deployment);
+  if (deployment.vehicles.size() > 1 && !deployment.radio->second.empty()) {
+    fail(deployment, "radio.second: is for one vehicle; there are " +
+                         std::to_string(deployment.vehicles.size()));
   }
   check_second_radio(deployment);
+}
+
+void check_vehicles(const Deployment& deployment) {
+  for (const Host& host : deployment.hosts) {
+    if (host.second && !deployment.vehicles.empty()) {
+      fail(deployment, "hosts." + host.name + ".second: is for a file without `vehicles`");
+    }
+    for (const Container& container : host.containers) {
+      const std::string& vehicle = container.vehicle;
+      if (vehicle.empty() || deployment.vehicles.empty()) continue;
+      const std::string owner = host.name + "/" + container.name + ": vehicle: '" + vehicle;
+      if (!is_vehicle(deployment, vehicle)) {
+        fail(deployment, owner + "' is not one of: [" + joined(deployment.vehicles) + "]");
+      }
+      if (is_vehicle(deployment, host.name)) {
+        fail(deployment, owner + "' is for a container of the station");
+      }
+    }
+  }
 }
 
 /// "host/process/component" of every component.
@@ -149,17 +170,45 @@ void erase_path(const std::string& path, Deployment& deployment) {
   }
 }
 
+/// "gcs/mission" for "gcs/uxv1_mission", which there is for each of several vehicles.
+std::string without_vehicle(const std::string& path, const Deployment& deployment) {
+  auto words = words_of_path(path);
+  for (const std::string& vehicle : deployment.vehicles) {
+    if (words[1].rfind(vehicle + "_", 0) == 0) words[1].erase(0, vehicle.size() + 1);
+  }
+  return joined(words, "/");
+}
+
+/// The one of `paths` that is meant; of several vehicles all that are.
+std::vector<std::string> resolved_paths(const std::string& given,
+                                        const std::vector<std::string>& paths, const char* what,
+                                        const Deployment& deployment) {
+  std::vector<std::string> found;
+  for (const std::string& path : paths) {
+    if (deployment.vehicles.empty() || words_of_path(given) == words_of_path(path)) continue;
+    const bool is_meant = means(given, path) || means(given, without_vehicle(path, deployment));
+    if (is_meant) found.push_back(path);
+  }
+  if (found.empty()) found.push_back(resolve_path(given, paths, what));
+  return found;
+}
+
 void leave_out(const std::string& given, Deployment& deployment) {
   const auto processes = process_names(deployment);
   const auto components = component_paths(deployment);
-  const auto is_meant = [&given](const std::string& path) { return means(given, path); };
+  const auto is_meant = [&](const std::string& path) {
+    return means(given, path) || means(given, without_vehicle(path, deployment));
+  };
   const bool is_component = std::none_of(processes.begin(), processes.end(), is_meant) &&
                             std::any_of(components.begin(), components.end(), is_meant);
   try {
-    const std::string path = is_component ? resolve_path(given, components, "component")
-                                          : resolve_path(given, processes, "process");
-    if (deployment.stop_when_exits == path) deployment.stop_when_exits.clear();
-    erase_path(path, deployment);
+    const auto paths = is_component ? resolved_paths(given, components, "component", deployment)
+                                    : resolved_paths(given, processes, "process", deployment);
+    auto& last = deployment.stop_when_exits;
+    for (const std::string& path : paths) {
+      last.erase(std::remove(last.begin(), last.end(), path), last.end());
+      erase_path(path, deployment);
+    }
   } catch (const ConfigError& error) {
     fail(deployment, std::string("--without ") + error.what());
   }
@@ -179,122 +228,77 @@ void check_installed(const Deployment& deployment, const std::vector<std::string
   }
 }
 
-/// Every text in what was taken away, the names of its components among them.
-void add_texts(const YAML::Node& removed, std::set<std::string>& texts) {
-  if (removed.IsScalar()) texts.insert(removed.Scalar());
-  for (const auto& entry : removed) add_texts(removed.IsMap() ? entry.second : entry, texts);
-}
-
-/// What network_monitor probes where no file and no `--set` says it: the first peer of its host.
-void set_target(const Host& host, ComponentInstance& instance) {
-  if (instance.component != "network_monitor" || (*instance.parameters)["target"]) return;
-  if (host.peers.empty()) {
-    throw ConfigError("hosts." + host.name + ": " + instance.name +
-                      " has no target, and the host has no peer to probe (" + instance.place + ")");
-  }
-  YAML::Node parameters = *instance.parameters;
-  parameters["target"] = host.peers.front();
-}
-
-/// A parameter file of the base may go on to set parameters of components that were taken away.
-void merge_parameters(const ParameterSet& parameters, const std::vector<YamlRemoval>& removals,
-                      Deployment& deployment) {
-  std::set<std::string> removed;
-  for (const YamlRemoval& removal : removals) add_texts(*removal.value, removed);
-  parameters.reject_unknown_components(deployment, removed);
-  for (Host& host : deployment.hosts) {
-    for (Container& container : host.containers) {
-      for (ComponentInstance& instance : container.components) {
-        parameters.apply(host.name + "/" + container.name, instance);
-        set_target(host, instance);
-      }
-    }
-  }
-}
-
-/// `parameters` come after the base's; what has a name is known by it.
-ListMerge bringup_lists(const YamlPath& path) {
-  if (path == YamlPath{"parameters"}) return ListMerge::append;
-  const bool of_a_host =
-      path.size() == 3 && path[0] == "hosts" && (path[2] == "programs" || path[2] == "containers");
-  const bool of_a_container =
-      path.size() == 5 && path[0] == "hosts" && path[2] == "containers" && path[4] == "components";
-  return of_a_host || of_a_container ? ListMerge::by_name : ListMerge::replace;
-}
-
-ParameterSet read_parameters(const Section& section, const Overrides& overrides,
-                             const Variables& variables, YamlSources& sources) {
-  const ExtendRules rules{overrides.share + "/config"};
-  ParameterSet parameters;
-  const std::vector<std::string> files = section.texts("parameters");
-  const std::vector<YAML::Node> nodes = section.items("parameters");
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    const YAML::Node root = read_extended(sources.path(nodes[i], files[i]), rules, sources);
-    expand(root, sources, variables);
-    parameters.add_file(root, sources);
-  }
-  for (const std::string& setting : overrides.set) parameters.add_setting(setting, sources);
-  return parameters;
-}
-
-constexpr int max_domain = 229;  // three ids follow each other; RTPS ports end at domain 232
+constexpr int max_open_domain = 231;     // RTPS ports end at domain 232
 constexpr int max_secured_domain = 230;  // of governance and permissions: Cyclone DDS reads no more
 
-void check_security(const Deployment& deployment) {
-  if (deployment.security.empty() || deployment.link_domain <= max_secured_domain) return;
-  fail(deployment, "domain: " + std::to_string(deployment.link_domain - 2) +
-                       " is above 228, the last one of a secured link");
+/// Its link stays that to the others.
+void keep_host(const std::string& name, Deployment& deployment) {
+  if (is_vehicle(deployment, name)) {
+    deployment.link_domain = part_of(deployment, name).link_domain;
+    deployment.vehicles = {name};
+  }
+  auto& hosts = deployment.hosts;
+  hosts = {*find_host(deployment, name)};
+  deployment.radio.reset();
+  keep_own_ends(deployment);
+}
+
+void check_domains(const Deployment& deployment) {
+  const int links = std::max(1, static_cast<int>(deployment.vehicles.size()));
+  const int last = deployment.link_domain + links - 1;
+  const int most = deployment.security.empty() ? max_open_domain : max_secured_domain;
+  if (last <= most) return;
+  const int domain = deployment.hosts.front().local_domain;
+  fail(deployment, "domain: " + std::to_string(domain) + " is above " +
+                       std::to_string(domain - (last - most)) + ", the last one of " +
+                       (deployment.vehicles.empty() ? "" : "so many vehicles and ") +
+                       (deployment.security.empty() ? "an open link" : "a secured link"));
 }
 
 }  // namespace
 
 void assign_domains(int domain, Deployment& deployment) {
+  deployment.link_domain = domain + std::max(2, static_cast<int>(deployment.hosts.size()));
   for (Host& host : deployment.hosts) host.local_domain = domain++;
-  deployment.link_domain = domain + (deployment.hosts.size() == 1 ? 1 : 0);
 }
 
 void check_whole(const Deployment& deployment) {
-  if (deployment.hosts.empty() || deployment.hosts.size() > 2) {
-    fail(deployment,
-         "hosts: " + std::to_string(deployment.hosts.size()) + " hosts; allowed are one or two");
+  const std::size_t hosts = deployment.hosts.size();
+  if (hosts == 0 || (hosts > 2 && hosts > deployment.vehicles.size() + 1)) {
+    fail(deployment, "hosts: " + std::to_string(hosts) + " hosts; allowed are one or two" +
+                         (deployment.vehicles.empty() ? "" : ", or all vehicles and a station"));
   }
+  std::vector<std::string> host_names;
+  for (const Host& host : deployment.hosts) host_names.push_back(host.name);
+  check_unique(deployment, host_names, "host");
+  check_vehicles(deployment);
   const auto names = process_names(deployment);
   check_unique(deployment, names, "process");
   check_components(deployment);
   check_radio(deployment);
-  const std::string& last = deployment.stop_when_exits;
-  if (!last.empty() && std::find(names.begin(), names.end(), last) == names.end()) {
+  for (const std::string& last : deployment.stop_when_exits) {
+    if (std::find(names.begin(), names.end(), last) != names.end()) continue;
     fail(deployment, "stop_when_exits: '" + last + "' is not one of: [" + joined(names) + "]" +
                          suggestion(names, last));
   }
 }
 
 Deployment load_deployment(const std::string& path, const Overrides& overrides) {
-  const Variables variables{{"run_dir", overrides.run_dir},
-                            {"seed", std::to_string(overrides.seed)},
-                            {"share", overrides.share}};
   Deployment deployment;
-  YamlSources& sources = deployment.sources;
-  std::vector<YamlRemoval> removed;
-  const YAML::Node root =
-      read_extended(path, {overrides.share + "/bringup", bringup_lists}, sources, &removed);
-  expand(root, sources, variables);
-  const Section section(root, "deployment", sources, body_keys({"domain", "parameters"}));
   deployment.file = path;
-  read_body(section, sources, Named::must_be_readable, deployment);
+  BringupReader reader(path, overrides, deployment);
+  reader.read();
   if (!overrides.installed.empty()) check_installed(deployment, overrides.installed);
   deployment.run_dir = overrides.run_dir;
   deployment.share = overrides.share;
   deployment.seed = overrides.seed;
-  const int domain = section.whole("domain", 0, 0, max_domain);
-  const ParameterSet parameters = read_parameters(section, overrides, variables, sources);
-  deployment.stop_when_exits = without_slash(deployment.stop_when_exits);
   check_whole(deployment);
   replace_files(overrides, deployment);
-  merge_parameters(parameters, removed, deployment);
+  reader.merge();
   for (const std::string& process : overrides.without) leave_out(process, deployment);
-  assign_domains(overrides.domain.value_or(domain), deployment);
-  check_security(deployment);
+  assign_domains(overrides.domain.value_or(reader.domain()), deployment);
+  check_domains(deployment);
+  if (!overrides.host.empty()) keep_host(host_named(deployment, overrides.host).name, deployment);
   return deployment;
 }
 

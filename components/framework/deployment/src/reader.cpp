@@ -18,10 +18,6 @@ bool is_address(const std::string& text) {
   return inet_pton(AF_INET, text.c_str(), &address) == 1;
 }
 
-void check_address(const std::string& text, const std::string& key, const Section& section) {
-  if (!is_address(text)) section.fail(key, "'" + text + "' is not an IPv4 address");
-}
-
 bool is_ros_namespace(const std::string& text) {
   const auto allowed = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '/'; };
   return text.empty() ||
@@ -71,11 +67,14 @@ ParameterServices read_parameter_services(const Section& section) {
 Container read_container(const YAML::Node& node, const std::string& owner,
                          const YamlSources& sources) {
   const Section section(node, owner, sources,
-                        {"name", "terminal", "health", "parameter_services", "components"});
+                        {"name", "terminal", "health", "parameter_services", "each_vehicle",
+                         "vehicle", "components"});
   Container container;
   container.name = section.required_name("name");
   container.terminal = section.flag("terminal", false);
   container.parameter_services = read_parameter_services(section);
+  (void)section.flag("each_vehicle", false);  // of one vehicle the only one
+  container.vehicle = section.text("vehicle", "");
   container.health =
       load_parameters<HealthLimits>(section.find("health"), owner + ".health", sources);
   for (const YAML::Node& item : section.items("components")) {
@@ -149,11 +148,32 @@ std::optional<Radio> read_radio(const YAML::Node& node, const YamlSources& sourc
   return radio;
 }
 
+/// One name, or a list of names.
+std::vector<std::string> read_names(const Section& section, const std::string& key) {
+  const YAML::Node node = section.find(key);
+  if (node.IsDefined() && node.IsSequence()) return section.texts(key);
+  const std::string one = section.text(key, "");
+  return one.empty() ? std::vector<std::string>{} : std::vector<std::string>{one};
+}
+
 }  // namespace
 
+void check_address(const std::string& text, const std::string& key, const Section& section) {
+  if (!is_address(text)) section.fail(key, "'" + text + "' is not an IPv4 address");
+}
+
+std::vector<Host> read_hosts(const YAML::Node& hosts, const YamlSources& sources) {
+  const Section names(hosts, "hosts", sources);
+  std::vector<Host> found;
+  for (const auto& entry : hosts) {
+    found.push_back(read_host(entry.first.Scalar(), entry.second, sources));
+  }
+  return found;
+}
+
 std::vector<std::string> body_keys(const std::vector<std::string>& more) {
-  std::vector<std::string> keys{"qos",     "traffic", "namespace", "user", "stop_when_exits",
-                                "restart", "radio",   "security",  "hosts"};
+  std::vector<std::string> keys{"qos",     "traffic", "namespace", "user",     "stop_when_exits",
+                                "restart", "radio",   "security",  "vehicles", "hosts"};
   keys.insert(keys.end(), more.begin(), more.end());
   return keys;
 }
@@ -168,16 +188,13 @@ void read_body(const Section& section, const YamlSources& sources, Named named,
                                   "' is not words of letters, digits and '_' joined by '/'");
   }
   deployment.user = section.text("user", "");
-  deployment.stop_when_exits = section.text("stop_when_exits", "");
+  deployment.stop_when_exits = read_names(section, "stop_when_exits");
   deployment.restart = read_restart(section.find("restart"), sources);
   deployment.radio = read_radio(section.find("radio"), sources, named);
   deployment.security = section.folder("security", named);
   const YAML::Node hosts = section.find("hosts");
   if (!hosts.IsDefined()) section.fail("hosts", "is missing");
-  const Section names(hosts, "hosts", sources);
-  for (const auto& entry : hosts) {
-    deployment.hosts.push_back(read_host(entry.first.Scalar(), entry.second, sources));
-  }
+  deployment.hosts = read_hosts(hosts, sources);
 }
 
 }  // namespace tocsin::deployment

@@ -15,11 +15,19 @@ namespace tocsin::deployment {
 void read_body(const Section& section, const YamlSources& sources, Named named,
                Deployment& deployment);
 
-/// Gives every host its domain id: `domain`, `domain + 1`; the link has `domain + 2`.
+/// The hosts of a map of that name.
+[[nodiscard]] std::vector<Host> read_hosts(const YAML::Node& hosts, const YamlSources& sources);
+
+/// Throws ConfigError when it is no IPv4 address.
+void check_address(const std::string& text, const std::string& key, const Section& section);
+
+/// Gives every host its domain id: `domain`, `domain + 1`; the link has the next one, but at least
+/// `domain + 2`, and the links of several vehicles those from there on.
 void assign_domains(int domain, Deployment& deployment);
 
 /// Throws ConfigError when parts contradict each other: duplicate names, two terminals,
-/// a radio without one host of each role, stop_when_exits that names nothing, missing qos.
+/// a radio without one host of each role, stop_when_exits that names nothing, missing qos, a
+/// container for a vehicle that there is not.
 void check_whole(const Deployment& deployment);
 
 }  // namespace tocsin::deployment

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <yaml-cpp/yaml.h>
 
+#include <filesystem>
+
 #include "deployment/deployment.hpp"
 #include "foundation/enum_words.hpp"
 #include "foundation/error.hpp"
@@ -79,6 +81,7 @@ void write(YAML::Emitter& out, const Container& container, const YamlSources& so
   out << BeginMap;
   pair(out, "name", container.name);
   pair(out, "terminal", container.terminal);
+  if (!container.vehicle.empty()) pair(out, "vehicle", container.vehicle);
   pair(out, "parameter_services", word_of(container.parameter_services));
   write_all(out, "health", container.health);
   out << YAML::Key << "components" << YAML::Value << BeginSeq;
@@ -113,6 +116,31 @@ void write(YAML::Emitter& out, const Radio& radio) {
   out << EndMap;
 }
 
+/// Of the hosts, in their order, and of the link.
+void write_domains(YAML::Emitter& out, const Deployment& deployment) {
+  out << YAML::Key << "domains" << YAML::Value << YAML::Flow << BeginSeq;
+  for (const Host& host : deployment.hosts) out << host.local_domain;
+  out << deployment.link_domain << EndSeq;
+}
+
+void read_domains(const Section& section, Deployment& deployment) {
+  std::vector<int> domains;
+  for (const std::string& text : section.texts("domains")) {
+    const bool is_number = !text.empty() && text.size() <= 3 &&
+                           text.find_first_not_of("0123456789") == std::string::npos;
+    const int domain = is_number ? std::stoi(text) : -1;
+    if (domain < 0 || domain > 231) section.fail("domains", "'" + text + "' is not in [0, 231]");
+    domains.push_back(domain);
+  }
+  if (domains.size() != deployment.hosts.size() + 1) {
+    section.fail("domains", "must be one of each host, and one of the link");
+  }
+  for (std::size_t i = 0; i < deployment.hosts.size(); ++i) {
+    deployment.hosts[i].local_domain = domains[i];
+  }
+  deployment.link_domain = domains.back();
+}
+
 void write(YAML::Emitter& out, const Deployment& deployment) {
   out << BeginMap;
   text(out, "run_dir", deployment.run_dir);
@@ -120,13 +148,14 @@ void write(YAML::Emitter& out, const Deployment& deployment) {
   pair(out, "seed", deployment.seed);
   text(out, "qos", deployment.qos);
   text(out, "traffic", deployment.traffic);
-  pair(out, "domain", deployment.link_domain - 2);
+  write_domains(out, deployment);
   text(out, "namespace", deployment.ros_namespace);
   text(out, "security", deployment.security);
   text(out, "user", deployment.user);
-  text(out, "stop_when_exits", deployment.stop_when_exits);
+  texts(out, "stop_when_exits", deployment.stop_when_exits);
   write_all(out, "restart", deployment.restart);
   if (deployment.radio) write(out, *deployment.radio);
+  if (!deployment.vehicles.empty()) texts(out, "vehicles", deployment.vehicles);
   out << YAML::Key << "hosts" << YAML::Value << BeginMap;
   for (const Host& host : deployment.hosts) write(out, host, deployment.sources);
   out << EndMap << EndMap;
@@ -149,20 +178,30 @@ void write_resolved(const Deployment& deployment, const std::string& path) {
   }
 }
 
+void write_parts(const Deployment& deployment) {
+  if (deployment.vehicles.empty()) return;
+  for (const Deployment& part : parts_of(deployment)) {
+    std::error_code error;
+    std::filesystem::create_directories(part.run_dir, error);
+    if (error) throw EnvironmentError(part.run_dir + ": cannot be made: " + error.message());
+    write_resolved(part, part.run_dir + "/deployment.yaml");
+  }
+}
+
 Deployment load_resolved(const std::string& path, const std::string& copy) {
   Deployment deployment;
   deployment.file = path;
   const YAML::Node root = deployment.sources.read(path, copy);
   const Section section(root, "deployment", deployment.sources,
-                        body_keys({"run_dir", "share", "seed", "domain"}));
+                        body_keys({"run_dir", "share", "seed", "domains"}));
   // The files that it names were there at the launch.
   read_body(section, deployment.sources, Named::may_be_gone, deployment);
   deployment.run_dir = section.text("run_dir", "");
   deployment.share = section.text("share", "");
   deployment.seed = section.whole("seed", 1, 0, 1'000'000'000);
-  const int domain = section.whole("domain", 0, 0, 229);
+  deployment.vehicles = section.texts("vehicles");
   check_whole(deployment);
-  assign_domains(domain, deployment);
+  read_domains(section, deployment);
   return deployment;
 }
 

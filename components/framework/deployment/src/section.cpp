@@ -19,6 +19,13 @@ bool is_relative_path(const std::string& text) {
   return text.rfind("./", 0) == 0 || text.rfind("../", 0) == 0;
 }
 
+/// "${a}, ${b}".
+std::string listed(const std::vector<std::string>& names) {
+  std::vector<std::string> written;
+  for (const std::string& name : names) written.push_back("${" + name + "}");
+  return joined(written);
+}
+
 /// `text` of `node` with every ${name} replaced.
 std::string replaced(const std::string& text, const YAML::Node& node, const YamlSources& sources,
                      const Variables& variables) {
@@ -29,9 +36,11 @@ std::string replaced(const std::string& text, const YAML::Node& node, const Yaml
     const std::string name = text.substr(at + 2, end == std::string::npos ? end : end - at - 2);
     const auto found = variables.find(name);
     if (end == std::string::npos || found == variables.end()) {
+      std::vector<std::string> known;
+      for (const auto& variable : variables) known.push_back(variable.first);
       throw ConfigError("'" + printable(text) + "': unknown variable '" + printable(name) +
-                        "'; allowed: ${run_dir}, ${seed}, ${share}" +
-                        suggestion({"run_dir", "seed", "share"}, name) + yaml_place(sources, node));
+                        "'; allowed: " + listed(known) + suggestion(known, name) +
+                        yaml_place(sources, node));
     }
     result += text.substr(from, at - from) + found->second;
     from = end + 1;
@@ -42,6 +51,7 @@ std::string replaced(const std::string& text, const YAML::Node& node, const Yaml
 }  // namespace
 
 void expand(const YAML::Node& node, const YamlSources& sources, const Variables& variables) {
+  if (!node.IsDefined()) return;
   if (node.IsScalar()) {
     std::string text = replaced(node.Scalar(), node, sources, variables);
     if (is_relative_path(text)) text = sources.path(node, text);

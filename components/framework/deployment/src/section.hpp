@@ -15,8 +15,8 @@ namespace tocsin::deployment {
 using Variables = std::map<std::string, std::string>;
 
 /// Replaces every ${name} in the texts of `node`, and makes texts that start with ./ or ../
-/// absolute, relative to the folder of their file. The nodes stay where they were written. Throws
-/// ConfigError for an unknown name.
+/// absolute, relative to the folder of their file. The nodes stay where they were written; one that
+/// is not there stays so. Throws ConfigError for an unknown name.
 void expand(const YAML::Node& node, const YamlSources& sources, const Variables& variables);
 
 /// Whether the files that a file names must be there.

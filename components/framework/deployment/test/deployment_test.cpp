@@ -14,7 +14,7 @@ TEST_F(DeploymentTest, ReadsEveryPart) {
   EXPECT_EQ(sut.qos, path("qos.yaml"));
   EXPECT_EQ(sut.traffic, path("traffic.yaml"));
   EXPECT_EQ(sut.ros_namespace, "robot_1");
-  EXPECT_EQ(sut.stop_when_exits, "gcs/mission");
+  EXPECT_THAT(sut.stop_when_exits, ::testing::ElementsAre("gcs/mission"));
   EXPECT_EQ(sut.restart.limit, 3);
   ASSERT_TRUE(sut.radio);
   EXPECT_EQ(sut.radio->walls, path("walls.yaml"));
@@ -68,7 +68,8 @@ TEST_F(DeploymentTest, RejectsUnknownKeysEverywhereWithTheirLine) {
       [this](const auto& text) { return error_of(text); },
       {{"domain: 40", "domian: 40",
         "deployment.domian: unknown key; allowed: [qos, traffic, namespace, user, "
-        "stop_when_exits, restart, radio, security, hosts, domain, parameters]"},
+        "stop_when_exits, restart, radio, security, vehicles, hosts, domain, parameters, "
+        "variables]"},
        {"domain: 40", "domian: 40", "m.yaml:3)"},
        {"role: uxv", "role: uxv\n    rool: 1",
         "hosts.uxv.rool: unknown key; allowed: [role, address, peers"},
@@ -77,7 +78,8 @@ TEST_F(DeploymentTest, RejectsUnknownKeysEverywhereWithTheirLine) {
         "containers]; did you mean 'role'? ("},
        {"terminal: true", "terminl: true",
         "hosts.gcs.containers.terminl: unknown key; allowed: [name, terminal, health, "
-        "parameter_services, components]"},
+        "parameter_services, "
+        "each_vehicle, vehicle, components]"},
        {"{name: base,", "{name: base, x: 1,", "hosts.uxv.programs.x: unknown key"},
        {"name: pilot", "nam: pilot", "hosts.uxv.containers.components.nam: unknown key"},
        {"limit: 3", "limits: 3", "restart.limits: unknown"},

@@ -14,7 +14,7 @@ TEST_F(NamingTest, LeavesOutAProcess) {
   const Deployment sut = load(whole);
   EXPECT_TRUE(sut.hosts[0].programs.empty());
   EXPECT_TRUE(sut.hosts[1].containers.empty());
-  EXPECT_EQ(sut.stop_when_exits, "");
+  EXPECT_THAT(sut.stop_when_exits, ::testing::IsEmpty());
   overrides_.without = {"uxv/bass"};
   EXPECT_THAT(error_of(whole),
               HasSubstr("--without uxv/bass: no such process; allowed: [uxv/base"));

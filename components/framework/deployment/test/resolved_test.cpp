@@ -35,7 +35,7 @@ TEST_F(ResolvedTest, KeepsEveryPart) {
   EXPECT_EQ(sut.qos, path("qos.yaml"));
   EXPECT_EQ(sut.traffic, path("traffic.yaml"));
   EXPECT_EQ(sut.ros_namespace, "robot_1");
-  EXPECT_EQ(sut.stop_when_exits, "gcs/mission");
+  EXPECT_THAT(sut.stop_when_exits, ::testing::ElementsAre("gcs/mission"));
   EXPECT_EQ(sut.restart.backoff_s, 0.5);
   EXPECT_EQ(sut.restart.limit, 3);
   ASSERT_TRUE(sut.radio);

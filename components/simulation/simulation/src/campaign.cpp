@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <deque>
 #include <exception>
 #include <mutex>
 #include <optional>
@@ -63,25 +64,43 @@ class Work {
   std::exception_ptr error_;
 };
 
+/// With the exit code of the vehicle's own processes.
+Outcome outcome_of(const deployment::Deployment& part, Outcome whole) {
+  whole.exit_code.reset();
+  for (const std::string& process : part.stop_when_exits) {
+    const auto found = whole.exit_codes.find(process);
+    if (found == whole.exit_codes.end()) return whole;  // not over
+    whole.exit_code = std::max(whole.exit_code.value_or(0), found->second);
+  }
+  return whole;
+}
+
 }  // namespace
 
-SeedOutcome run_checked(deployment::Deployment deployment, WorldOptions options,
+SeedOutcome run_checked(const deployment::Deployment& deployment, WorldOptions options,
                         const InvariantLimits& limits) {
   const double last_fault_s = end_of(options.faults);
-  Invariants invariants(limits);
-  options.observer = &invariants;
+  const auto parts = parts_of(deployment);
+  std::deque<Invariants> all;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    options.observers.push_back(&all.emplace_back(limits));
+  }
   SeedOutcome checked;
   checked.seed = static_cast<std::uint64_t>(deployment.seed);
   checked.faults = options.faults;
-  const std::string run_dir = deployment.run_dir;
   {
-    SimWorld world(std::move(deployment), options);
+    SimWorld world(deployment, options);
     checked.outcome = world.run(seconds(last_fault_s + limits.recovers_s));
   }
-  invariants.on_end(checked.outcome);
-  invariants.on_logs(run_dir, checked.outcome);
-  checked.violations = invariants.violations();
-  checked.checks = invariants.checks();
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    Invariants& invariants = all[i];
+    const Outcome own = outcome_of(parts[i], checked.outcome);
+    invariants.on_end(own);
+    invariants.on_logs(parts[i].run_dir, own);
+    const auto& broken = invariants.violations();
+    checked.violations.insert(checked.violations.end(), broken.begin(), broken.end());
+    checked.checks += invariants.checks();
+  }
   return checked;
 }
 

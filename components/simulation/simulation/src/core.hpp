@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "digest.hpp"
 #include "event_queue.hpp"
@@ -21,7 +23,9 @@ struct Core {
   std::uint64_t samples = 0;
   bool dying = false;  ///< a process is being killed: what its components still do is void
   bool digest_wanted = true;
-  Observer* observer = nullptr;
+  std::vector<Observer*> observers = {nullptr};  ///< by vehicle; null: nobody looks
+
+  [[nodiscard]] Observer* observer(std::size_t vehicle) const { return observers[vehicle]; }
 
   [[nodiscard]] static std::int64_t wall_ns(Time t) {
     return start_wall_ns + (t - start_time).count();

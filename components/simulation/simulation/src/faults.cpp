@@ -23,6 +23,8 @@ constexpr std::array names{"crash",      "loss",           "delay",        "dupl
                            "slip",       "kidnap",         "access_point", "pose_stuck"};
 /// The first of them are drawn from one sequence of numbers.
 constexpr std::size_t drawn_together = 8;
+/// From one vehicle to the next.
+constexpr std::uint64_t seed_step = 1'000'003;
 
 /// A fault as in the file.
 struct FaultEntry {
@@ -40,7 +42,8 @@ struct FaultEntry {
       "what goes wrong");
     v("at_s", at_s, {0, 1e6}, "[s] from the start of the run");
     v("for_s", for_s, {0.001, 1e6}, "[s] how long; of a crash: until it is started again");
-    v("target", target, "crash and freeze: host/process; clock_jump: host");
+    v("target", target,
+      "crash and freeze: host/process; clock_jump: host; else of several vehicles one");
     v("amount", amount, {-1e6, 1e6},
       "share, [s] of delay, clock_jump and laser_late, or [m] of kidnap and access_point");
   }
@@ -221,9 +224,7 @@ void draw_surprises(std::uint64_t seed, const deployment::Deployment& deployment
   }
 }
 
-}  // namespace
-
-FaultPlan random_faults(std::uint64_t seed, const deployment::Deployment& deployment) {
+FaultPlan draw_all(std::uint64_t seed, const deployment::Deployment& deployment) {
   Draw draw(seed);
   FaultPlan plan(1 + draw.below(6));
   for (Fault& fault : plan) fault = draw_fault(draw, deployment);
@@ -236,6 +237,24 @@ FaultPlan random_faults(std::uint64_t seed, const deployment::Deployment& deploy
   if (const auto laser = draw_laser_fault(seed, deployment)) plan.push_back(*laser);
   draw_displacements(seed, deployment, plan);
   draw_surprises(seed, deployment, plan);
+  return plan;
+}
+
+}  // namespace
+
+FaultPlan random_faults(std::uint64_t seed, const deployment::Deployment& deployment) {
+  FaultPlan plan;
+  const auto parts = parts_of(deployment);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    for (Fault fault : draw_all(seed + i * seed_step, parts[i])) {
+      const bool is_of_site =
+          fault.kind == FaultKind::disk_full || fault.kind == FaultKind::access_point;
+      if (!deployment.vehicles.empty() && fault.target.empty() && !is_of_site) {
+        fault.target = deployment.vehicles[i];
+      }
+      plan.push_back(std::move(fault));
+    }
+  }
   std::sort(plan.begin(), plan.end(), earlier);
   return plan;
 }

@@ -41,10 +41,14 @@ std::string proc_text(const radio::LinkReport& report) {
 
 }  // namespace
 
-RadioLink::RadioLink(Core& core, const radio::ChannelParams& params,
-                     std::vector<geometry::Wall> walls, std::uint64_t seed, Reports reports)
-    : core_(core), channel_(params, std::move(walls), seed, core.now), random_(seed) {
-  if (reports == Reports::yes) report();
+RadioLink::RadioLink(Core& core, const radio::ChannelParams& params, const Site& site,
+                     Reports reports)
+    : core_(core),
+      channel_(params, site.walls, site.seed, core.now, site.vehicles),
+      vehicles_(site.vehicles),
+      random_(site.seed) {
+  if (reports == Reports::no) return;
+  for (std::size_t i = 0; i < site.vehicles; ++i) report(i);
 }
 
 void RadioLink::move_access_point(double by_x_m) {
@@ -60,7 +64,7 @@ void RadioLink::send(const Way& way, std::size_t ip_bytes, std::function<void()>
 void RadioLink::send(const Way& way, std::size_t ip_bytes, std::shared_ptr<Cargo> cargo,
                      std::size_t packet) {
   const radio::Packet on_air{static_cast<int>(ip_bytes), false,
-                             radio::access_category_of_dscp(way.dscp)};
+                             radio::access_category_of_dscp(way.dscp), way.vehicle};
   const radio::FrameId id = channel_.push(way.direction, on_air, core_.now);
   assert(id == next_);
   ++next_;
@@ -78,7 +82,7 @@ Time RadioLink::next_arrival(Time limit) {
 bool RadioLink::matters(const radio::Outcome& outcome) const {
   if (outcome.fate != radio::Fate::delivered) return false;
   const Arrival& arrival = under_way_[outcome.id - first_];
-  return faults_.any() || !arrival.cargo->waits_after(arrival.packet);
+  return vehicles_[outcome.vehicle].faults.any() || !arrival.cargo->waits_after(arrival.packet);
 }
 
 void RadioLink::advance() {
@@ -92,30 +96,32 @@ void RadioLink::end(const radio::Outcome& outcome) {
     under_way_.pop_front();
     ++first_;
   }
-  if (outcome.fate == radio::Fate::delivered) carry(arrival);
+  if (outcome.fate == radio::Fate::delivered) carry(arrival, vehicles_[outcome.vehicle].faults);
 }
 
 double RadioLink::share() { return static_cast<double>(random_() >> 11U) / 9007199254740992.0; }
 
-void RadioLink::carry(const Arrival& arrival) {
-  if (!faults_.any()) return arrival.cargo->arrive(arrival.packet);
-  if (share() < faults_.loss) return;
-  const int copies = share() < faults_.duplication ? 2 : 1;
+void RadioLink::carry(const Arrival& arrival, const AirFaults& faults) {
+  if (!faults.any()) return arrival.cargo->arrive(arrival.packet);
+  if (share() < faults.loss) return;
+  const int copies = share() < faults.duplication ? 2 : 1;
   for (int i = 0; i < copies; ++i) {
-    if (faults_.delay_s <= 0) {
+    if (faults.delay_s <= 0) {
       arrival.cargo->arrive(arrival.packet);
     } else {
-      core_.events.at(core_.now + seconds(faults_.delay_s * share()),
+      core_.events.at(core_.now + seconds(faults.delay_s * share()),
                       [arrival] { arrival.cargo->arrive(arrival.packet); });
     }
   }
 }
 
-void RadioLink::report() {
-  const radio::LinkReport report_now = channel_.report(core_.now);
-  wireless_text_ = proc_text(report_now);
-  if (core_.observer != nullptr) core_.observer->on_channel(report_now, core_.now);
-  core_.events.at(core_.now + report_period, [this] { report(); });
+void RadioLink::report(std::size_t vehicle) {
+  const radio::LinkReport report_now = channel_.report(core_.now, vehicle);
+  vehicles_[vehicle].wireless_text = proc_text(report_now);
+  if (Observer* const observer = core_.observer(vehicle)) {
+    observer->on_channel(report_now, core_.now);
+  }
+  core_.events.at(core_.now + report_period, [this, vehicle] { report(vehicle); });
 }
 
 }  // namespace tocsin::simulation

@@ -16,18 +16,20 @@
 
 namespace tocsin::simulation {
 
-/// How packets go: where to, and with which DSCP (0 to 63).
+/// How packets go: where to, with which DSCP (0 to 63), from or to which vehicle.
 struct Way {
-  Way(radio::Direction to, std::uint8_t with_dscp = 0) : direction(to), dscp(with_dscp) {}
+  Way(radio::Direction to, std::uint8_t with_dscp = 0, std::size_t of_vehicle = 0)
+      : direction(to), dscp(with_dscp), vehicle(of_vehicle) {}
   radio::Direction direction;
   std::uint8_t dscp;
+  std::size_t vehicle;
 };
 
-/// The other way, with the same DSCP.
+/// The other way, with the same DSCP and vehicle.
 [[nodiscard]] inline Way back(const Way& way) {
   return {way.direction == radio::Direction::uplink ? radio::Direction::downlink
                                                     : radio::Direction::uplink,
-          way.dscp};
+          way.dscp, way.vehicle};
 }
 
 /// What goes wrong on the air besides what the channel does.
@@ -48,12 +50,17 @@ class Cargo {
   [[nodiscard]] virtual bool waits_after(std::size_t packet) const = 0;
 };
 
-/// Carries packets between the vehicle and the ground station: one radio_channel for all.
+/// Carries packets between the vehicles and the ground station: one radio_channel for all.
 class RadioLink {
  public:
-  enum class Reports { yes, no };  ///< whether a driver and the core's observer are told of it
-  RadioLink(Core& core, const radio::ChannelParams& params, std::vector<geometry::Wall> walls,
-            std::uint64_t seed, Reports reports = Reports::yes);
+  enum class Reports { yes, no };  ///< whether drivers and the core's observers are told of it
+  struct Site {
+    std::vector<geometry::Wall> walls = {};
+    std::uint64_t seed = 1;
+    std::size_t vehicles = 1;
+  };
+  RadioLink(Core& core, const radio::ChannelParams& params, const Site& site,
+            Reports reports = Reports::yes);
 
   /// Sends an IP packet of `cargo`, which is told when and if it comes to the other side.
   void send(const Way& way, std::size_t ip_bytes, std::shared_ptr<Cargo> cargo, std::size_t packet);
@@ -65,13 +72,18 @@ class RadioLink {
   [[nodiscard]] Time next_arrival(Time limit);
   /// Does what is due at the core's time.
   void advance();
-  /// From now on; may be changed at any time.
-  [[nodiscard]] AirFaults& faults() { return faults_; }
+  /// Of what a vehicle sends and is sent from now on; may be changed at any time.
+  [[nodiscard]] AirFaults& faults(std::size_t vehicle) { return vehicles_[vehicle].faults; }
+  [[nodiscard]] std::size_t vehicles() const { return vehicles_.size(); }
 
-  void set_position(double x_m, double y_m) { channel_.set_position(x_m, y_m); }
+  void set_position(double x_m, double y_m, std::size_t vehicle) {
+    channel_.set_position(x_m, y_m, vehicle);
+  }
   void move_access_point(double by_x_m);
-  /// The text of /proc/net/wireless on the vehicle, renewed each second as by the link emulator.
-  [[nodiscard]] const std::string& wireless_text() const { return wireless_text_; }
+  /// The text of /proc/net/wireless on a vehicle, renewed each second as by the link emulator.
+  [[nodiscard]] const std::string& wireless_text(std::size_t vehicle) const {
+    return vehicles_[vehicle].wireless_text;
+  }
   [[nodiscard]] std::uint64_t pushed() const { return next_ - 1; }
 
  private:
@@ -79,19 +91,22 @@ class RadioLink {
     std::shared_ptr<Cargo> cargo;  ///< null: it has ended
     std::size_t packet = 0;
   };
-  void report();
+  struct Vehicle {
+    AirFaults faults;
+    std::string wireless_text;
+  };
+  void report(std::size_t vehicle);
   [[nodiscard]] bool matters(const radio::Outcome& outcome) const;
   void end(const radio::Outcome& outcome);
-  void carry(const Arrival& arrival);
+  void carry(const Arrival& arrival, const AirFaults& faults);
   [[nodiscard]] double share();
   Core& core_;
   radio::RadioChannel channel_;
   std::deque<Arrival> under_way_;  ///< packets first_ to next_ - 1
   radio::FrameId first_ = 1;
   radio::FrameId next_ = 1;
-  AirFaults faults_;
+  std::vector<Vehicle> vehicles_;
   std::mt19937_64 random_;  ///< of the faults
-  std::string wireless_text_;
 };
 
 }  // namespace tocsin::simulation

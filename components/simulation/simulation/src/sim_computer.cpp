@@ -35,8 +35,8 @@ class SimEcho final : public EchoDevice {
 
   SendResult send(std::uint16_t sequence) override {
     const Request request{sequence, core_.now};
-    if (core_.observer != nullptr) {
-      core_.observer->on_echo({*probe_.host, sequence, core_.now, never});
+    if (Observer* const observer = core_.observer(probe_.way.vehicle)) {
+      observer->on_echo({*probe_.host, sequence, core_.now, never});
     }
     probe_.link->send(probe_.way, probe_.bytes,
                       [&core = core_, probe = probe_, inbox = inbox_, request] {
@@ -63,9 +63,10 @@ class SimEcho final : public EchoDevice {
   };
   static void answer(Core& core, const Probe& probe, const std::shared_ptr<Inbox>& inbox,
                      const Request& request) {
-    probe.link->send(back(probe.way), probe.bytes, [&core, host = probe.host, inbox, request] {
-      if (core.observer != nullptr) {
-        core.observer->on_echo({*host, request.sequence, request.sent, core.now});
+    probe.link->send(back(probe.way), probe.bytes, [&core, probe, inbox, request] {
+      Observer* const observer = core.observer(probe.way.vehicle);
+      if (observer != nullptr) {
+        observer->on_echo({*probe.host, request.sequence, request.sent, core.now});
       }
       inbox->replies.push_back({request.sequence, core.now});
       inbox->readable();
@@ -150,13 +151,15 @@ std::unique_ptr<EchoDevice> SimComputer::open_echo(const EchoTarget& target,
     throw ConfigError("target: '" + target.address + "' is not an IPv4 address");
   }
   const bool answered = std::find(peers_.begin(), peers_.end(), target.address) != peers_.end();
-  const SimEcho::Probe probe{&place_.host, &link_, Way(place_.direction, target.dscp),
+  const SimEcho::Probe probe{&place_.host, &link_,
+                             Way(place_.direction, target.dscp, place_.vehicle),
                              ip_and_icmp_bytes + target.payload_bytes, answered};
   return std::make_unique<SimEcho>(core_, probe, std::move(readable));
 }
 
 std::optional<std::string> SimComputer::read_file(const std::string& path) const {
-  if (path == wireless_file_ || path == "/proc/net/wireless") return link_.wireless_text();
+  if (path == wireless_file_ || path == "/proc/net/wireless")
+    return link_.wireless_text(place_.vehicle);
   if (path == "/proc/meminfo") return "MemTotal: 1000000 kB\nMemAvailable: 600000 kB\n";
   if (path == "/proc/stat") return stat_text();
   return std::nullopt;

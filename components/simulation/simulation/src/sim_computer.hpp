@@ -23,6 +23,7 @@ class SimComputer final : public Computer {
   struct Place {
     std::string host;
     radio::Direction direction;  ///< of what it sends
+    std::size_t vehicle = 0;     ///< of several that or whose station it is
   };
   /// `wireless_file`: second path of the text of /proc/net/wireless.
   SimComputer(Core& core, RadioLink& link, const Place& place, std::string wireless_file);

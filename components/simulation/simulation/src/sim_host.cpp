@@ -97,18 +97,17 @@ void SimHost::deliver_carried(const Flow& flow, const CarriedSample& carried,
   sample.bytes = carried.bytes;
   const auto [writer, is_new] = all.carried.try_emplace(carried.source);
   if (is_new) writer->second = {freight.from->host, flow.user_data};
-  if (network_.core.observer != nullptr) {
+  if (network_.observer() != nullptr) {
     const GivenAs as = flow.topic == freight.from->topic ? GivenAs::live : GivenAs::backfilled;
-    network_.core.observer->on_given(
-        {*freight.from, name_, network_.core.now, freight.written, as});
+    network_.observer()->on_given({*freight.from, name_, network_.core.now, freight.written, as});
   }
   if (flow.transient_local) all.last_carried[freight.from->host + "|" + flow.user_data] = sample;
   for (SimProcess::Topic* topic : all.processes) {
     if (!topic->carried.is_first(sample.source, sample.sequence)) continue;
-    if (network_.core.observer != nullptr && topic->reads()) {
-      network_.core.observer->on_delivered(
-          {*freight.from, topic->end, carried.sequence, freight.written, freight.written_at,
-           freight.written_at, network_.core.now, carried.bytes, freight.message.get()});
+    if (network_.observer() != nullptr && topic->reads()) {
+      network_.observer()->on_delivered({*freight.from, topic->end, carried.sequence,
+                                         freight.written, freight.written_at, freight.written_at,
+                                         network_.core.now, carried.bytes, freight.message.get()});
     }
     topic->deliver(sample);
   }

@@ -37,17 +37,20 @@ struct Overheard {
   std::shared_ptr<const StopValue> stop;  ///< null: it was no part of this
 };
 
-/// What the hosts of a world have in common.
+/// What a vehicle and its station have in common, and no other vehicle has.
 struct Network {
   Core& core;
   RadioLink& link;
   QosProfiles qos;
   RadioLink* second_link = nullptr;                 ///< null: there is one path
+  std::size_t vehicle = 0;                          ///< of several
   std::map<std::string, SimLinkBus*> routers = {};  ///< that live, by the name of their host
   PeerId router_lives = 0;
   /// What the logs of routers hold instead of encoded samples, by number: outlives their routers.
   std::vector<std::shared_ptr<const void>> logged = {};
   std::function<void(const Overheard&)> on_air = {};  ///< empty: nobody listens
+  /// Null: nobody looks.
+  [[nodiscard]] Observer* observer() const { return core.observer(vehicle); }
   /// The living router with this life; null: it has died.
   [[nodiscard]] SimLinkBus* find_router(PeerId life) const;
 };

@@ -94,14 +94,15 @@ SimLinkBus::~SimLinkBus() {
 void SimLinkBus::on_gate(bool open) { tell_observer(open ? GateEvent::opened : GateEvent::closed); }
 
 void SimLinkBus::tell_observer(GateEvent event) const {
-  if (network_.core.observer == nullptr) return;
-  network_.core.observer->on_gate({host_.name(), network_.core.now, event});
+  if (network_.observer() == nullptr) return;
+  network_.observer()->on_gate({host_.name(), network_.core.now, event});
 }
 
 void SimLinkBus::announce() {
   if (!peers_.empty() && !process_.is_frozen()) {
     for (PathIndex path = 0; path < paths(); ++path) {
-      radio(path).send({host_.direction(), network_control_dscp}, announcement_bytes, [] {});
+      radio(path).send({host_.direction(), network_control_dscp, network_.vehicle},
+                       announcement_bytes, [] {});
       packets_.add_discovery(announcement_bytes);
       note_bytes(path, announcement_bytes);
     }
@@ -253,8 +254,8 @@ std::optional<std::uint64_t> SimLinkBus::send(FlowId flow, const CarriedSample& 
   const std::uint64_t number = ++sending.last[path];
   const Freight& cargo = freight(sample);
   const std::size_t bytes_sent = piece.size(sample.bytes);
-  if (network_.core.observer != nullptr && cargo.from != nullptr) {
-    network_.core.observer->on_sent(
+  if (network_.observer() != nullptr && cargo.from != nullptr) {
+    network_.observer()->on_sent(
         {*cargo.from, network_.core.now, number, cargo.written, bytes_sent});
   }
   const auto packets = packets_of(sending, sample, piece);
@@ -268,7 +269,8 @@ std::optional<std::uint64_t> SimLinkBus::send(FlowId flow, const CarriedSample& 
         std::make_shared<Transmission>(network_, what, peer.second, packets.size());
     for (std::size_t i = 0; i < packets.size(); ++i) {
       const std::size_t riding = stop ? stop_bytes(*stop) : 0;
-      radio(path).send({host_.direction(), dscp}, packets[i] + riding, transmission, i);
+      radio(path).send({host_.direction(), dscp, network_.vehicle}, packets[i] + riding,
+                       transmission, i);
       packets_.add(sending.traffic_class, sending.purpose, packets[i]);
       note_bytes(path, packets[i] + riding);
       if (stop) packets_.add_stop(riding, false);

@@ -11,9 +11,8 @@ std::vector<std::uint8_t> SimLinkBus::bytes_of(const CarriedSample& sample) cons
   const std::uint64_t number = network_.logged.size();
   network_.logged.push_back(sample.content);
   const auto& cargo = *static_cast<const Freight*>(sample.content.get());
-  if (network_.core.observer != nullptr && cargo.from != nullptr) {
-    network_.core.observer->on_logged(
-        {*cargo.from, network_.core.now, cargo.written, sample.source});
+  if (network_.observer() != nullptr && cargo.from != nullptr) {
+    network_.observer()->on_logged({*cargo.from, network_.core.now, cargo.written, sample.source});
   }
   std::vector<std::uint8_t> bytes(std::max<std::size_t>(sample.bytes, sizeof number));
   std::memcpy(bytes.data(), &number, sizeof number);

@@ -56,7 +56,7 @@ void SimLinkBus::send_stop(PathIndex path, const std::shared_ptr<const StopValue
   const std::size_t bytes = ip_udp_rtps_bytes + stop_bytes(*stop);
   for (const auto& entry : network_.routers) {
     if (entry.second == this) continue;
-    radio(path).send({host_.direction(), stop_dscp}, bytes,
+    radio(path).send({host_.direction(), stop_dscp, network_.vehicle}, bytes,
                      [&network = network_, own = life_, other = entry.second->life_, stop] {
                        SimLinkBus* const to = network.find_router(other);
                        if (to != nullptr) to->on_packet(own, stop);

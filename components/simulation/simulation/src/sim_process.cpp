@@ -160,7 +160,7 @@ Status SimProcess::write(Topic& its, const std::shared_ptr<const void>& message)
   sample.source = its.source;
   SimHost::deliver(its, sample);
   if (SimLinkBus* const router = host_.router()) router->on_written(its, sample);
-  if (core.observer != nullptr) report(its, message.get());
+  if (network_.observer() != nullptr) report(its, message.get());
   return Status::ok;
 }
 
@@ -176,7 +176,7 @@ void SimProcess::report(const Topic& its, const void* message) const {
   const Core& core = network_.core;
   const bool crosses = its.end.traffic_class.has_value();
   const std::size_t bytes = crosses ? its.endpoint.type->serialized_size(message) : 0;
-  core.observer->on_written({its.end, core.now, its.written, bytes, message});
+  network_.observer()->on_written({its.end, core.now, its.written, bytes, message});
 }
 
 std::int64_t SimProcess::wall_ns(Time t) const {

@@ -47,7 +47,7 @@ SeedOutcome run(const Options& options, deployment::Deployment deployment) {
   WorldOptions world;
   world.faults = faults_of(options, deployment);
   tell_faults(world.faults, deployment.run_dir);
-  if (options.check) return run_checked(std::move(deployment), world, options.limits);
+  if (options.check) return run_checked(deployment, world, options.limits);
   SeedOutcome checked;
   checked.outcome = SimWorld(std::move(deployment), world).run(seconds(options.duration_s));
   return checked;
@@ -58,6 +58,7 @@ SeedOutcome simulate_into(const Options& options, const deployment::RunFolder& r
   overrides.run_dir = run_folder.path().string();
   auto deployment = deployment::load_deployment(options.file, overrides);
   deployment::write_resolved(deployment, overrides.run_dir + "/deployment.yaml");
+  deployment::write_parts(deployment);
   const auto begin = std::chrono::steady_clock::now();
   const Duration cpu_begin = thread_cpu();
   SeedOutcome checked = run(options, std::move(deployment));

@@ -36,15 +36,26 @@ QosProfiles qos_of(const deployment::Deployment& deployment) {
   return known.get(deployment.qos, [&] { return QosProfiles(deployment.qos); });
 }
 
-Core core_of(const WorldOptions& options) {
+Core core_of(const WorldOptions& options, std::size_t vehicles) {
   Core core;
   core.digest_wanted = options.digest;
-  core.observer = options.observer;
+  core.observers = options.observers;
+  if (core.observers.empty()) core.observers.assign(vehicles, options.observer);
   return core;
 }
 
 std::chrono::system_clock::time_point wall_time(Time now) {
   return std::chrono::system_clock::time_point(std::chrono::nanoseconds(Core::wall_ns(now)));
+}
+
+/// Those of a deployment; of one without `vehicles`, which has one, 1.
+std::size_t vehicles_of(const deployment::Deployment& deployment) {
+  return std::max<std::size_t>(1, deployment.vehicles.size());
+}
+
+RadioLink::Site site_of(const deployment::Deployment& deployment) {
+  return {walls_of(deployment), static_cast<std::uint64_t>(deployment.seed),
+          vehicles_of(deployment)};
 }
 
 bool is_base(const deployment::Program& program) {
@@ -54,34 +65,33 @@ bool is_base(const deployment::Program& program) {
 }  // namespace
 
 World::World(deployment::Deployment deployment, const WorldOptions& options)
-    : core(core_of(options)),
+    : core(core_of(options, vehicles_of(deployment))),
       log_clock([this] { return wall_time(core.now); }),
       deployment_(std::move(deployment)),
+      parts_(parts_of(deployment_)),
       options_(options),
-      link_(core, channel_of(deployment_), walls_of(deployment_),
-            static_cast<std::uint64_t>(deployment_.seed)),
-      network_{core, link_, qos_of(deployment_)} {
+      link_(core, channel_of(deployment_), site_of(deployment_)) {
   add_second_link();
   const LogClock::Use use(log_clock);
-  if (core.observer != nullptr) {
-    scheduler_.set_on_failure([this](const std::string& component, const char* what, Time now) {
-      core.observer->on_failure(component, what, now);
-    });
-  }
-  for (const deployment::Host& host : deployment_.hosts) add(host);
+  scheduler_.set_on_failure([this](const std::string& component, const char* what, Time now) {
+    for (Observer* const one : core.observers) {
+      if (one != nullptr) one->on_failure(component, what, now);
+    }
+  });
+  for (std::size_t i = 0; i < parts_.size(); ++i) add(parts_[i], i);
+  if (!deployment_.vehicles.empty()) add_common();
   plan_faults();
 }
 
 void World::add_second_link() {
   if (!deployment_.radio || deployment_.radio->second.empty()) return;
-  second_link_.emplace(core, radio::load_channel(deployment_.radio->second), walls_of(deployment_),
-                       static_cast<std::uint64_t>(deployment_.seed), RadioLink::Reports::no);
-  network_.second_link = &*second_link_;
+  second_link_.emplace(core, radio::load_channel(deployment_.radio->second), site_of(deployment_),
+                       RadioLink::Reports::no);
 }
 
 World::~World() {
   const LogClock::Use use(log_clock);
-  core.observer = nullptr;  // it need not see the end
+  core.observers.assign(core.observers.size(), nullptr);  // they need not see the end
   fill_disk(false);
   while (!processes_.empty()) {
     auto& instances = processes_.back().instances;
@@ -90,20 +100,52 @@ World::~World() {
   }
 }
 
-void World::add(const deployment::Host& host) {
+/// A vehicle and what of the station serves it.
+void World::add(const deployment::Deployment& part, std::size_t vehicle) {
+  Network& network = networks_.emplace_back(Network{core, link_, qos_of(part)});
+  network.vehicle = vehicle;
+  if (second_link_) network.second_link = &*second_link_;
+  if (!deployment_.vehicles.empty()) std::filesystem::create_directories(part.run_dir);
+  for (const deployment::Host& host : part.hosts) add(part, host, network);
+}
+
+void World::add(const deployment::Deployment& part, const deployment::Host& host,
+                Network& network) {
   Side& side = sides_.emplace_back();
+  side.vehicle = network.vehicle;
+  side.run_dir = part.run_dir;
   side.host = std::make_unique<SimHost>(
-      network_, host.name, host.role, deployment_.traffic,
+      network, host.name, host.role, part.traffic,
       drives_a_vehicle(deployment_) ? VehicleChain::ours : VehicleChain::foreign);
   side.computer = std::make_unique<SimComputer>(
-      core, link_, SimComputer::Place{host.name, side.host->direction()},
-      deployment_.run_dir + "/wireless");
+      core, link_, SimComputer::Place{host.name, side.host->direction(), network.vehicle},
+      part.run_dir + "/wireless");
   if (!options_.faults.empty()) side.computer->keeps_files = true;
-  for (const deployment::Host& other : deployment_.hosts) {
+  for (const deployment::Host& other : part.hosts) {
     if (&other != &host) side.computer->add_peer(other.address);
   }
   add_bases(host, side);
-  for (const deployment::Container& container : host.containers) add(container, side);
+  for (const deployment::Container& container : host.containers) {
+    const bool is_common = deployment::vehicle_of(deployment_, host, container).empty();
+    if (deployment_.vehicles.empty() || !is_common) add(container, side);
+  }
+}
+
+/// What at the station serves all vehicles, without a link.
+void World::add_common() {
+  common_.emplace(Network{core, link_, qos_of(deployment_)});
+  common_part_ = deployment_;
+  common_part_.hosts.clear();
+  for (deployment::Host host : deployment_.hosts) {
+    auto& containers = host.containers;
+    const auto is_of_one = [&](const deployment::Container& one) {
+      return !deployment::vehicle_of(deployment_, host, one).empty();
+    };
+    containers.erase(std::remove_if(containers.begin(), containers.end(), is_of_one),
+                     containers.end());
+    if (!containers.empty()) common_part_.hosts.push_back(std::move(host));
+  }
+  for (const deployment::Host& host : common_part_.hosts) add(common_part_, host, *common_);
 }
 
 bool World::wanted(const deployment::ComponentInstance& one) const {
@@ -119,7 +161,7 @@ void World::add_bases(const deployment::Host& host, Side& side) {
     }
     SimBase& base = side.bases.emplace_back(core, read_base_options(program));
     side.computer->add_base(base);
-    feed_position(host.name, base);
+    feed_position(side, base);
   }
 }
 
@@ -153,7 +195,7 @@ World::Instance& World::add_instance(const std::string& name, Process& process) 
   const SimHost& host = *process.side->host;
   process.instances.push_back(
       {Context(*process.bus, name, host.role())
-           .with_run_dir(deployment_.run_dir)
+           .with_run_dir(process.side->run_dir)
            .with_request_exit([this, &process](int code) { exit(process, code); })
            .with_computer(*process.side->computer)
            .with_seed(process_seed(deployment_.seed, host.name(), process.container->name)),
@@ -168,26 +210,37 @@ void World::schedule(Instance& instance, const Process& process) {
 
 void World::exit(Process& process, int code) {
   process.exit_code = code;
-  if (process.path == deployment_.stop_when_exits) exit_code_ = code;
+  const auto& last = deployment_.stop_when_exits;
+  if (std::find(last.begin(), last.end(), process.path) != last.end()) {
+    exit_codes_[process.path] = code;
+  }
   tell(process, ProcessEvent::exited);
 }
 
-void World::tell(const Process& process, ProcessEvent event) const {
-  if (core.observer == nullptr) return;
-  core.observer->on_process({process.path, event, core.now, process.exit_code.value_or(0)});
+std::optional<int> World::exit_code() const {
+  if (exit_codes_.empty() || exit_codes_.size() < deployment_.stop_when_exits.size()) return {};
+  int highest = 0;
+  for (const auto& one : exit_codes_) highest = std::max(highest, one.second);
+  return highest;
 }
 
-void World::feed_position(const std::string& host, const SimBase& base) {
+void World::tell(const Process& process, ProcessEvent event) const {
+  Observer* const observer = core.observer(process.side->vehicle);
+  if (observer == nullptr) return;
+  observer->on_process({process.path, event, core.now, process.exit_code.value_or(0)});
+}
+
+void World::feed_position(const Side& side, const SimBase& base) {
   const geometry::Pose& pose = base.model().pose();
-  link_.set_position(pose.x_m, pose.y_m);
-  if (second_link_) second_link_->set_position(pose.x_m, pose.y_m);
-  if (core.observer != nullptr) {
+  link_.set_position(pose.x_m, pose.y_m, side.vehicle);
+  if (second_link_) second_link_->set_position(pose.x_m, pose.y_m, side.vehicle);
+  if (Observer* const observer = core.observer(side.vehicle)) {
     const geometry::Twist& velocity = base.model().velocity();
-    core.observer->on_position({host, core.now, pose.x_m, pose.y_m, pose.heading_rad,
-                                velocity.linear_mps, velocity.angular_rad_s, base.commanded(),
-                                base.model().outputs().control.speed_mm_s == 0});
+    observer->on_position({side.host->name(), core.now, pose.x_m, pose.y_m, pose.heading_rad,
+                           velocity.linear_mps, velocity.angular_rad_s, base.commanded(),
+                           base.model().outputs().control.speed_mm_s == 0});
   }
-  core.events.at(core.now + position_period, [this, &host, &base] { feed_position(host, base); });
+  core.events.at(core.now + position_period, [this, &side, &base] { feed_position(side, base); });
 }
 
 Time World::next() {
@@ -211,12 +264,19 @@ void World::step(Time now) {
   link_.advance();
   if (second_link_) second_link_->advance();
   if (scheduler_.next() <= now) scheduler_.run(now);
-  if (core.observer != nullptr) core.observer->on_step(now);
+  for (Observer* const one : core.observers) {
+    if (one != nullptr) one->on_step(now);
+  }
 }
 
 Outcome World::outcome(Time begin) const {
-  return {core.now - begin, exit_code_,         core.samples,
-          link_.pushed(),   scheduler_.ticks(), core.digest_wanted ? core.digest.value() : 0};
+  return {core.now - begin,
+          exit_code(),
+          exit_codes_,
+          core.samples,
+          link_.pushed(),
+          scheduler_.ticks(),
+          core.digest_wanted ? core.digest.value() : 0};
 }
 
 }  // namespace tocsin::simulation

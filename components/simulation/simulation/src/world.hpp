@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <list>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "full_disk.hpp"
 #include "radio_forger.hpp"
@@ -18,8 +21,11 @@
 
 namespace tocsin::simulation {
 
-/// Everything of one host. Components are destroyed before the devices that they use.
+/// Everything of one host; of the station of several vehicles what serves one of them, which shares
+/// no topic with what serves another. Components are destroyed before the devices that they use.
 struct Side {
+  std::size_t vehicle = 0;  ///< of several
+  std::string run_dir;
   std::unique_ptr<SimHost> host;
   std::unique_ptr<SimComputer> computer;
   std::list<SimBase> bases;
@@ -37,8 +43,9 @@ class World {
   [[nodiscard]] Time next();
   /// Does all that is due at `now`.
   void step(Time now);
-  [[nodiscard]] bool over() const { return exit_code_ && options_.ends_with_mission; }
+  [[nodiscard]] bool over() const { return exit_code() && options_.ends_with_mission; }
   [[nodiscard]] Outcome outcome(Time begin) const;
+  [[nodiscard]] std::optional<int> exit_code() const;
   Core core;
   LogClock log_clock;  ///< to be used while it steps
 
@@ -60,7 +67,9 @@ class World {
   };
 
   [[nodiscard]] bool wanted(const deployment::ComponentInstance& one) const;
-  void add(const deployment::Host& host);
+  void add(const deployment::Deployment& part, std::size_t vehicle);
+  void add(const deployment::Deployment& part, const deployment::Host& host, Network& network);
+  void add_common();
   void add_bases(const deployment::Host& host, Side& side);
   void add(const deployment::Container& container, Side& side);
   void start(Process& process);
@@ -68,7 +77,7 @@ class World {
   void schedule(Instance& instance, const Process& process);
   void exit(Process& process, int code);
   void add_second_link();
-  void feed_position(const std::string& host, const SimBase& base);
+  void feed_position(const Side& side, const SimBase& base);
   void tell(const Process& process, ProcessEvent event) const;
 
   // Faults.
@@ -85,31 +94,39 @@ class World {
   void plan_stop(const Fault& fault);
   void plan_rogue(const Fault& fault);
   void plan_forge(const Fault& fault);
-  void ask_again();
+  void ask_again(std::size_t vehicle);
   void fill_disk(bool full);
   void kill(Process& process);
   void revive(Process& process);
   void freeze(Process& process, bool frozen);
   void at(double time_s, std::function<void()> action);
+  /// Of the vehicle that is the target, or of all.
+  [[nodiscard]] std::vector<SimBase*> bases_of(const Fault& fault);
   /// Throws ConfigError when there is none.
   [[nodiscard]] Process& process_of(const Fault& fault);
-  [[nodiscard]] Side* find_side(const std::string& host);
-  /// The first of this role; throws ConfigError when there is none.
-  [[nodiscard]] Side& side_of(Role role);
+  [[nodiscard]] std::vector<Side*> sides_of(const std::string& host);
+  /// The number of the vehicle that is the target; of the first one when none is. Throws
+  /// ConfigError.
+  [[nodiscard]] std::size_t vehicle_of(const Fault& fault) const;
+  /// The first of this role that is of the target; throws ConfigError when there is none.
+  [[nodiscard]] Side& side_of(Role role, const Fault& fault);
 
   deployment::Deployment deployment_;
+  std::vector<deployment::Deployment> parts_;  ///< by vehicle
+  deployment::Deployment common_part_;         ///< of what at the station serves all of several
   WorldOptions options_;
   RadioLink link_;
   std::optional<RadioLink> second_link_;
-  Network network_;
+  std::deque<Network> networks_;   ///< by vehicle
+  std::optional<Network> common_;  ///< of common_part_
   Scheduler scheduler_;
   std::list<Side> sides_;
   std::list<Process> processes_;
-  std::unique_ptr<Person> person_;  ///< at the station, from the first stop on
+  std::map<std::size_t, std::unique_ptr<Person>> persons_;  ///< by vehicle, from the first stop on
   std::list<Rogue> rogues_;
   std::list<RadioForger> forgers_;
   std::optional<FullDisk> full_disk_;
-  std::optional<int> exit_code_;
+  std::map<std::string, int> exit_codes_;  ///< of stop_when_exits
   Time off_air_ = Time::min();  ///< when next() last saw something to do besides the radio
 };
 

@@ -57,9 +57,11 @@ void World::plan(const Fault& fault) {
     case FaultKind::clock_jump:
       break;
   }
-  Side* const side = find_side(fault.target);
-  if (side == nullptr) throw ConfigError("faults.target: no host '" + fault.target + "'");
-  at(fault.at_s, [side, by = seconds(fault.amount)] { side->host->jump(by); });
+  const auto sides = sides_of(fault.target);
+  if (sides.empty()) throw ConfigError("faults.target: no host '" + fault.target + "'");
+  for (Side* const side : sides) {
+    at(fault.at_s, [side, by = seconds(fault.amount)] { side->host->jump(by); });
+  }
 }
 
 void World::at(double time_s, std::function<void()> action) {
@@ -82,52 +84,48 @@ void World::plan_air(const Fault& fault) {
   double AirFaults::*const which = fault.kind == FaultKind::loss    ? &AirFaults::loss
                                    : fault.kind == FaultKind::delay ? &AirFaults::delay_s
                                                                     : &AirFaults::duplication;
-  at(fault.at_s, [this, which, amount = fault.amount] { link_.faults().*which = amount; });
-  at(fault.at_s + fault.for_s, [this, which] { link_.faults().*which = 0; });
+  const std::size_t only = fault.target.empty() ? 0 : vehicle_of(fault);
+  for (std::size_t i = 0; i < link_.vehicles(); ++i) {
+    if (!fault.target.empty() && i != only) continue;
+    at(fault.at_s, [this, i, which, amount = fault.amount] { link_.faults(i).*which = amount; });
+    at(fault.at_s + fault.for_s, [this, i, which] { link_.faults(i).*which = 0; });
+  }
 }
 
 void World::plan_serial(const Fault& fault) {
   const bool unplugs = fault.kind == FaultKind::unplug;
-  for (Side& side : sides_) {
-    for (SimBase& base : side.bases) {
-      at(fault.at_s, [&base, unplugs, share = fault.amount] {
-        unplugs ? base.unplug() : base.set_noise(share);
-      });
-      at(fault.at_s + fault.for_s, [&base, unplugs] { unplugs ? base.plug() : base.set_noise(0); });
-    }
+  for (SimBase* const base : bases_of(fault)) {
+    at(fault.at_s, [base, unplugs, share = fault.amount] {
+      unplugs ? base->unplug() : base->set_noise(share);
+    });
+    at(fault.at_s + fault.for_s, [base, unplugs] { unplugs ? base->plug() : base->set_noise(0); });
   }
 }
 
 void World::plan_laser(const Fault& fault) {
-  for (Side& side : sides_) {
-    for (SimBase& base : side.bases) {
-      SimLaser* const laser = base.laser();
-      if (laser == nullptr) continue;
-      at(fault.at_s, [laser, fault] { laser->begin(fault); });
-      at(fault.at_s + fault.for_s, [laser, fault] { laser->end(fault); });
-    }
+  for (SimBase* const base : bases_of(fault)) {
+    SimLaser* const laser = base->laser();
+    if (laser == nullptr) continue;
+    at(fault.at_s, [laser, fault] { laser->begin(fault); });
+    at(fault.at_s + fault.for_s, [laser, fault] { laser->end(fault); });
   }
 }
 
 void World::plan_displacement(const Fault& fault) {
-  for (Side& side : sides_) {
-    for (SimBase& base : side.bases) {
-      if (fault.kind == FaultKind::kidnap) {
-        at(fault.at_s, [&base, most_m = fault.amount] { base.carry_off(most_m); });
-      } else {
-        at(fault.at_s, [&base, share = fault.amount] { base.set_slip(share); });
-        at(fault.at_s + fault.for_s, [&base] { base.set_slip(0); });
-      }
+  for (SimBase* const base : bases_of(fault)) {
+    if (fault.kind == FaultKind::kidnap) {
+      at(fault.at_s, [base, most_m = fault.amount] { base->carry_off(most_m); });
+    } else {
+      at(fault.at_s, [base, share = fault.amount] { base->set_slip(share); });
+      at(fault.at_s + fault.for_s, [base] { base->set_slip(0); });
     }
   }
 }
 
 void World::plan_stuck_pose(const Fault& fault) {
-  for (Side& side : sides_) {
-    for (SimBase& base : side.bases) {
-      at(fault.at_s, [&base] { base.hold_true_pose(true); });
-      at(fault.at_s + fault.for_s, [&base] { base.hold_true_pose(false); });
-    }
+  for (SimBase* const base : bases_of(fault)) {
+    at(fault.at_s, [base] { base->hold_true_pose(true); });
+    at(fault.at_s + fault.for_s, [base] { base->hold_true_pose(false); });
   }
 }
 
@@ -140,24 +138,26 @@ void World::plan_disk(const Fault& fault) {
 }
 
 void World::plan_stop(const Fault& fault) {
-  SimHost& station = *side_of(Role::gcs).host;
-  at(fault.at_s, [this, &station] {
-    if (!person_) {
-      person_ = std::make_unique<Person>(station.add_process("person"));
-      at(ask_again_s, [this] { ask_again(); });
+  const std::size_t vehicle = vehicle_of(fault);
+  SimHost& station = *side_of(Role::gcs, fault).host;
+  at(fault.at_s, [this, vehicle, &station] {
+    auto& person = persons_[vehicle];
+    if (!person) {
+      person = std::make_unique<Person>(station.add_process("person"));
+      at(ask_again_s, [this, vehicle] { ask_again(vehicle); });
     }
-    person_->press();
+    person->press();
   });
-  at(fault.at_s + fault.for_s, [this] { person_->release(); });
+  at(fault.at_s + fault.for_s, [this, vehicle] { persons_.at(vehicle)->release(); });
 }
 
-void World::ask_again() {
-  person_->ask();
-  at(ask_again_s, [this] { ask_again(); });
+void World::ask_again(std::size_t vehicle) {
+  persons_.at(vehicle)->ask();
+  at(ask_again_s, [this, vehicle] { ask_again(vehicle); });
 }
 
 void World::plan_rogue(const Fault& fault) {
-  SimHost& vehicle = *side_of(Role::uxv).host;
+  SimHost& vehicle = *side_of(Role::uxv, fault).host;
   Rogue& rogue = rogues_.emplace_back();
   const std::string name = "rogue_" + std::to_string(rogues_.size());
   at(fault.at_s, [&rogue, &vehicle, name] { rogue.begin(vehicle.add_process(name)); });
@@ -168,8 +168,8 @@ void World::plan_rogue(const Fault& fault) {
 }
 
 void World::plan_forge(const Fault& fault) {
-  RadioForger& forger =
-      forgers_.emplace_back(network_, static_cast<std::uint64_t>(deployment_.seed));
+  RadioForger& forger = forgers_.emplace_back(networks_[vehicle_of(fault)],
+                                              static_cast<std::uint64_t>(deployment_.seed));
   at(fault.at_s, [&forger] { forger.begin(); });
   for (double passed_s = forge_period_s; passed_s < fault.for_s; passed_s += forge_period_s) {
     at(fault.at_s + passed_s, [&forger] { forger.speak(); });
@@ -205,7 +205,9 @@ void World::revive(Process& process) {
     start(process);
     tell(process, ProcessEvent::started);
   } catch (const std::exception& error) {
-    if (core.observer != nullptr) core.observer->on_failure(process.path, error.what(), core.now);
+    if (Observer* const observer = core.observer(process.side->vehicle)) {
+      observer->on_failure(process.path, error.what(), core.now);
+    }
     kill(process);
     at(retry_s, [this, &process] { revive(process); });
   }
@@ -229,17 +231,36 @@ World::Process& World::process_of(const Fault& fault) {
   throw ConfigError("faults.target: no process '" + fault.target + "'");
 }
 
-Side& World::side_of(Role role) {
+std::vector<SimBase*> World::bases_of(const Fault& fault) {
+  std::vector<SimBase*> found;
   for (Side& side : sides_) {
-    if (side.host->role() == role) return side;
+    if (!fault.target.empty() && side.vehicle != vehicle_of(fault)) continue;
+    for (SimBase& base : side.bases) found.push_back(&base);
+  }
+  return found;
+}
+
+std::size_t World::vehicle_of(const Fault& fault) const {
+  if (fault.target.empty()) return 0;
+  for (const Side& side : sides_) {
+    if (side.host->role() == Role::uxv && side.host->name() == fault.target) return side.vehicle;
+  }
+  throw ConfigError("faults.target: no vehicle '" + fault.target + "'");
+}
+
+Side& World::side_of(Role role, const Fault& fault) {
+  for (Side& side : sides_) {
+    if (side.host->role() == role && side.vehicle == vehicle_of(fault)) return side;
   }
   throw ConfigError(std::string("faults.kind: there is no host of role ") + to_string(role));
 }
 
-Side* World::find_side(const std::string& host) {
-  const auto found = std::find_if(sides_.begin(), sides_.end(),
-                                  [&](const Side& one) { return one.host->name() == host; });
-  return found == sides_.end() ? nullptr : &*found;
+std::vector<Side*> World::sides_of(const std::string& host) {
+  std::vector<Side*> found;
+  for (Side& side : sides_) {
+    if (side.host->name() == host) found.push_back(&side);
+  }
+  return found;
 }
 
 }  // namespace tocsin::simulation

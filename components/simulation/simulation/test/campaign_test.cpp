@@ -48,19 +48,19 @@ TEST(Search, ThrowsWhatARunThrows) {
 SeedOutcome run_planted(std::uint64_t seed) {
   Invariants invariants;
   Core core;
-  core.observer = &invariants;
+  core.observers = {&invariants};
   radio::ChannelParams params;
   params.mode = "bernoulli";
-  RadioLink link(core, params, {}, seed);
+  RadioLink link(core, params, {{}, seed, 1});
   deployment::Deployment nothing;
   nothing.hosts.resize(1);
   SeedOutcome checked = broken_if(false, seed);
   checked.faults = random_faults(seed, nothing);
   for (const Fault& fault : checked.faults) {
     if (fault.kind != FaultKind::delay) continue;
-    core.events.at(core.now + seconds(fault.at_s), [&] { link.faults().delay_s = 0.1; });
+    core.events.at(core.now + seconds(fault.at_s), [&] { link.faults(0).delay_s = 0.1; });
     core.events.at(core.now + seconds(fault.at_s + fault.for_s),
-                   [&] { link.faults().delay_s = 0; });
+                   [&] { link.faults(0).delay_s = 0; });
   }
   TopicEnd from, to;
   from.lifespan_s = 5;

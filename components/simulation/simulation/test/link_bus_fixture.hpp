@@ -153,7 +153,7 @@ class LinkBusTest : public ::testing::Test {
   }
 
   Core core_;
-  RadioLink link_{core_, wire(), {}, 1};
+  RadioLink link_{core_, wire(), {{}, 1, 1}};
   Network network_{core_, link_, QosProfiles(TOCSIN_REPOSITORY "/config/qos.yaml")};
   SimHost uxv_{network_, "uxv", Role::uxv, TOCSIN_REPOSITORY "/config/traffic.yaml"};
   SimHost gcs_{network_, "gcs", Role::gcs, TOCSIN_REPOSITORY "/config/traffic.yaml"};

@@ -27,7 +27,7 @@ class RadioLinkTest : public ::testing::Test {
   }
 
   Core core_;
-  RadioLink sut_{core_, radio::ChannelParams{}, {}, 1};
+  RadioLink sut_{core_, radio::ChannelParams{}, {{}, 1, 1}};
   std::string arrived_;
 };
 
@@ -57,7 +57,7 @@ std::string arrivals_with(bool access_categories) {
   Core core;
   radio::ChannelParams params;
   params.access_categories = access_categories;
-  RadioLink sut(core, params, {}, 1);
+  RadioLink sut(core, params, {{}, 1, 1});
   std::string arrived;
   const auto send = [&](std::uint8_t dscp, char name) {
     sut.send({radio::Direction::uplink, dscp}, 1400, [&arrived, name] { arrived += name; });
@@ -110,12 +110,12 @@ TEST_F(RadioLinkTest, RunsOnToTheLastPartOfACargoUnlessTheAirHasFaults) {
   EXPECT_EQ(parts->left(), 1U);
   sut_.advance();
   EXPECT_EQ(parts->left(), 0U);
-  sut_.faults().duplication = 0.5;
+  sut_.faults(0).duplication = 0.5;
   EXPECT_EQ(send_parts()->left(), 3U);
 }
 
 TEST_F(RadioLinkTest, RunsOnOverPacketsThatAreLost) {
-  sut_.set_position(20'000, 0);
+  sut_.set_position(20'000, 0, 0);
   send(radio::Direction::uplink, 'a');
   EXPECT_EQ(sut_.next_arrival(core_.now + seconds(1)), core_.now + seconds(1));
   EXPECT_EQ(sut_.next_event(), never);
@@ -123,12 +123,12 @@ TEST_F(RadioLinkTest, RunsOnOverPacketsThatAreLost) {
 }
 
 TEST_F(RadioLinkTest, TellsTheSignalAndZerosWithoutDotsWhenNotAssociated) {
-  sut_.set_position(3, 0);
+  sut_.set_position(3, 0, 0);
   run_for(2.5);
-  EXPECT_NE(sut_.wireless_text().find(".  -256"), std::string::npos) << sut_.wireless_text();
-  sut_.set_position(20'000, 0);
+  EXPECT_NE(sut_.wireless_text(0).find(".  -256"), std::string::npos) << sut_.wireless_text(0);
+  sut_.set_position(20'000, 0, 0);
   run_for(2.5);
-  EXPECT_EQ(sut_.wireless_text().find("-256"), std::string::npos) << sut_.wireless_text();
+  EXPECT_EQ(sut_.wireless_text(0).find("-256"), std::string::npos) << sut_.wireless_text(0);
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ class SimComputerTest : public ::testing::Test {
   }
 
   Core core_;
-  RadioLink link_{core_, wire(), {}, 1};
+  RadioLink link_{core_, wire(), {{}, 1, 1}};
   SimBase base_{core_, base_options()};
   SimComputer sut_{core_, link_, {"uxv", radio::Direction::uplink}, "/run/wireless"};
   std::unique_ptr<DeviceFiles> files_ = sut_.devices.open<DeviceFiles>();
@@ -87,7 +87,7 @@ class ChannelWatch : public Observer {
 
 TEST_F(SimComputerTest, EchoesGoBothWaysWithTheDscpOfTheirTarget) {
   ChannelWatch watch;
-  core_.observer = &watch;
+  core_.observers = {&watch};
   (void)sut_.devices.open<EchoDevice>({"10.77.0.2", 64, 8}, count_)->send(5);
   (void)sut_.devices.open<EchoDevice>({"10.77.0.2", 64}, count_)->send(6);
   run_for(2);

@@ -41,8 +41,8 @@ class LinkClassTest : public ::testing::Test {
   }
   /// One radio, its hosts and routers.
   struct World {
-    explicit World(bool access_categories) : link(core, near_by(access_categories), {}, 1) {
-      core.observer = &watch;
+    explicit World(bool access_categories) : link(core, near_by(access_categories), {{}, 1, 1}) {
+      core.observers = {&watch};
     }
     void run_for(double s) {
       const Time end = core.now + seconds(s);
@@ -129,7 +129,7 @@ TEST_F(LinkBusTest, ObserversSeeASampleFromItsWritingToItsDelivery) {
   read<topic::Odom>(view_);
   const auto writer = drive_.advertise(endpoint<topic::Location>());
   run_for(1);
-  core_.observer = &watch;
+  core_.observers = {&watch};
   const Time written = core_.now;
   (void)writer->write(message<topic::Location>());
   run_for(0.001);
@@ -149,7 +149,7 @@ TEST_F(LinkBusTest, ObserversSeeASampleFromItsWritingToItsDelivery) {
   EXPECT_EQ(one.written, 1U);
   EXPECT_EQ(one.written_at, written);
   EXPECT_EQ(one.received, written + seconds(0.01));
-  core_.observer = nullptr;
+  core_.observers = {nullptr};
 }
 
 TEST_F(LinkBusTest, ObserversSeeEachTransmissionAndOneDelivery) {
@@ -158,7 +158,7 @@ TEST_F(LinkBusTest, ObserversSeeEachTransmissionAndOneDelivery) {
   read<topic::Location>(mission_);
   const auto writer = drive_.advertise(endpoint<topic::Location>());
   run_for(1);
-  core_.observer = &watch;
+  core_.observers = {&watch};
   (void)writer->write(message<topic::Location>());
   run_for(1);
   const CarriedSample again = up().got<link_event::HostSample>()[0].sample;
@@ -168,13 +168,13 @@ TEST_F(LinkBusTest, ObserversSeeEachTransmissionAndOneDelivery) {
   EXPECT_EQ(watch.sent[1].sequence, 2U);
   EXPECT_EQ(watch.sent[1].written, 1U);
   EXPECT_EQ(watch.delivered.size(), 1U);
-  core_.observer = nullptr;
+  core_.observers = {nullptr};
 }
 
 TEST_F(LinkBusTest, ObserversSeeTheGateOfARouterAndItsEndAndNotWhatItTellsAnother) {
   LinkWatch watch;
   connect();
-  core_.observer = &watch;
+  core_.observers = {&watch};
   up().bus.on_gate(false);
   up().bus.on_gate(true);
   const auto told = up().bus.pack(type_info<topic::Goal::Message>(), message<topic::Goal>());
@@ -183,7 +183,7 @@ TEST_F(LinkBusTest, ObserversSeeTheGateOfARouterAndItsEndAndNotWhatItTellsAnothe
   EXPECT_TRUE(watch.sent.empty());
   EXPECT_EQ(watch.gates,
             (std::vector<GateEvent>{GateEvent::closed, GateEvent::opened, GateEvent::gone}));
-  core_.observer = nullptr;
+  core_.observers = {nullptr};
 }
 
 }  // namespace

@@ -75,14 +75,14 @@ TEST_F(LinkWireTest, ASampleIsWholeWhenItsLastPacketHasCome) {
   Reader& away = read<topic::CameraImage>(view_);
   const auto writer = payload_.advertise(endpoint<topic::CameraImage>());
   run_for(0.2);
-  link_.faults().loss = 1;
+  link_.faults(0).loss = 1;
   (void)writer->write(picture(20000));
   run_for(0.1);
-  link_.faults().loss = 0.2;  // of 18 packets hardly all come
+  link_.faults(0).loss = 0.2;  // of 18 packets hardly all come
   (void)writer->write(picture(20000));
   run_for(0.1);
   EXPECT_TRUE(away.samples.empty());
-  link_.faults().loss = 0;
+  link_.faults(0).loss = 0;
   (void)writer->write(picture(20000));
   run_for(0.1);
   ASSERT_EQ(away.samples.size(), 1U);
@@ -94,7 +94,7 @@ TEST_F(LinkWireTest, PacketsThatTheAirDoublesMakeOneTransmission) {
   Reader& away = read<topic::CameraImage>(view_);
   const auto writer = payload_.advertise(endpoint<topic::CameraImage>());
   run_for(0.2);
-  link_.faults().duplication = 1;
+  link_.faults(0).duplication = 1;
   (void)writer->write(picture(20000));
   run_for(0.1);
   EXPECT_EQ(down().count<link_event::LinkSample>(), 1U);

@@ -2,15 +2,20 @@
 // Worlds with routers alone; test/system/simulation_test.cpp has the whole mission.
 #include "simulation/sim_world.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
 #include <map>
+#include <set>
 
 #include "foundation/error.hpp"
+#include "foundation/temporary_folder.hpp"
 
 namespace tocsin::simulation {
 namespace {
+
+using ::testing::ElementsAre;
 
 const std::string config = TOCSIN_REPOSITORY "/config/";
 
@@ -37,6 +42,31 @@ deployment::Deployment small() {
   gcs.role = Role::gcs;
   gcs.containers = {container("mission")};
   deployment.hosts = {uxv, gcs};
+  return deployment;
+}
+
+/// Two of them and a station with a router for each.
+deployment::Deployment fleet() {
+  deployment::Deployment deployment = small();
+  deployment.vehicles = {"uxv1", "uxv2"};
+  const deployment::Host uxv = deployment.hosts[0];
+  deployment::Host gcs = deployment.hosts[1];
+  deployment.hosts.clear();
+  gcs.containers.clear();
+  for (const char* const vehicle : {"uxv1", "uxv2"}) {
+    deployment.hosts.push_back(uxv);
+    deployment.hosts.back().name = vehicle;
+    deployment.hosts.back().address = vehicle;
+    gcs.containers.push_back(container("mission"));
+    gcs.containers.back().name = vehicle + std::string("_mission");
+    gcs.containers.back().vehicle = vehicle;
+  }
+  deployment.hosts.push_back(gcs);
+  return deployment;
+}
+
+deployment::Deployment in(const TemporaryFolder& folder, deployment::Deployment deployment) {
+  deployment.run_dir = folder.path();
   return deployment;
 }
 
@@ -114,6 +144,42 @@ TEST(SimWorld, ShowsTheObserverWhatHappensAndIsNotChangedByIt) {
   EXPECT_EQ(without.digest, 0U);
   EXPECT_EQ(without.ticks, alone.ticks);
   EXPECT_EQ(without.samples, alone.samples);
+}
+
+/// Whose positions it was shown, and whose processes.
+class Hosts : public Observer {
+ public:
+  void on_position(const BasePosition& base) override { bases.insert(base.host); }
+  void on_written(const Written& written) override {
+    processes.insert(written.from.host + "/" + written.from.process);
+  }
+  void on_channel(const radio::LinkReport&, Time) override { ++reports; }
+  std::set<std::string> bases;
+  std::set<std::string> processes;
+  int reports = 0;
+};
+
+TEST(SimWorld, EachOfSeveralVehiclesHasItsObserver) {
+  Hosts first;
+  Hosts second;
+  WorldOptions options;
+  options.observers = {&first, &second};
+  const TemporaryFolder folder;
+  SimWorld sut(in(folder, fleet()), options);
+  (void)sut.run(seconds(3));
+  EXPECT_THAT(first.bases, ElementsAre("uxv1"));
+  EXPECT_THAT(second.bases, ElementsAre("uxv2"));
+  EXPECT_THAT(second.processes, ElementsAre("gcs/uxv2_mission", "uxv2/drive"));
+  EXPECT_EQ(second.reports, 4);
+}
+
+TEST(SimWorld, SeveralVehiclesAreRepeatableAndShareTheAir) {
+  const TemporaryFolder folder;
+  const Outcome once = SimWorld(in(folder, fleet())).run(seconds(10));
+  const Outcome again = SimWorld(in(folder, fleet())).run(seconds(10));
+  const Outcome alone = SimWorld(small()).run(seconds(10));
+  EXPECT_EQ(once.digest, again.digest);
+  EXPECT_NEAR(static_cast<double>(once.packets), 2 * static_cast<double>(alone.packets), 10);
 }
 
 TEST(SimWorld, RefusesAProgramWithoutAModelAndAComponentThatIsNotInstalled) {

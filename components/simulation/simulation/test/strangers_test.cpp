@@ -48,7 +48,7 @@ class StrangersTest : public ::testing::Test {
   }
 
   Core core_;
-  RadioLink link_{core_, lossless(), {}, 1};
+  RadioLink link_{core_, lossless(), {{}, 1, 1}};
   Network network_{core_, link_, QosProfiles(TOCSIN_REPOSITORY "/config/qos.yaml")};
   SimHost host_{network_, "gcs", Role::gcs, TOCSIN_REPOSITORY "/config/traffic.yaml"};
   SimProcess& station_ = host_.add_process("station");

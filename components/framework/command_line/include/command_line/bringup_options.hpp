@@ -19,7 +19,7 @@ struct BringupOptions {
   deployment::Overrides overrides;
   std::optional<int> domain;  ///< in place of the file's
 
-  /// Adds FILE, --set, --without, --seed, --channel, --security, --qos, --traffic and
+  /// Adds FILE, --set, --without, --host, --seed, --channel, --security, --qos, --traffic and
   /// --domain to a command.
   void declare(CLI::App& app);
   /// After parsing: fills in the installed share folder, and looks for a bare file name there when

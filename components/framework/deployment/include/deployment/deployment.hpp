@@ -66,6 +66,9 @@ struct Container {
   std::vector<ComponentInstance> components;
   HealthLimits health = {};
   ParameterServices parameter_services = ParameterServices::on_demand;
+  /// Whom a container of the station serves, of several vehicles; its topics are in the namespace
+  /// of this name, also where the file has no `vehicles`. Empty: all, or there is one.
+  std::string vehicle = {};
 };
 
 /// One plain process without DDS.
@@ -74,13 +77,13 @@ struct Program {
   std::vector<std::string> command;  ///< program and arguments, at least the program
 };
 
-/// One side of the radio link.
 /// A second way over the link, beside the one of `address` and `peers`.
 struct SecondPath {
   std::string address;             ///< IPv4, of this host on it
   std::vector<std::string> peers;  ///< IPv4 addresses of the host's peers, in the same order
 };
 
+/// One side of the radio link.
 struct Host {
   std::string name;
   Role role = Role::uxv;
@@ -121,16 +124,20 @@ struct Deployment {
   std::string run_dir;  ///< folder of this run's recordings, logs and sockets
   std::string share;    ///< installed share/tocsin folder
   int seed = 1;
-  std::string qos;              ///< path; empty only without containers
-  std::string traffic;          ///< path; empty only without containers
-  int link_domain = 2;          ///< DDS domain id of the topics that cross the radio
-  std::string ros_namespace;    ///< of all topics; empty or words joined by '/'
-  std::string security;         ///< folder of the link's keystore; empty: the link is open
-  std::string user;             ///< whom a launch by root becomes, name or number; or empty
-  std::string stop_when_exits;  ///< "host/process" whose exit with 0 or 1 ends the run; or empty
+  std::string qos;            ///< path; empty only without containers
+  std::string traffic;        ///< path; empty only without containers
+  int link_domain = 2;        ///< DDS domain id of the topics that cross the radio; of several
+                              ///< vehicles that of the first one, the others' follow
+  std::string ros_namespace;  ///< of all topics; empty or words joined by '/'
+  std::string security;       ///< folder of the link's keystore; empty: the link is open
+  std::string user;           ///< whom a launch by root becomes, name or number; or empty
+  /// "host/process" of those whose exits with 0 or 1 end the run: when the last one has.
+  std::vector<std::string> stop_when_exits;
   RestartPolicy restart;
   std::optional<Radio> radio;
-  std::vector<Host> hosts;  ///< one or two, in the file's order
+  std::vector<Host> hosts;  ///< one or two, in the file's order; several vehicles, then a station
+  /// Names of the hosts that are vehicles when `vehicles` of the file names them; else empty.
+  std::vector<std::string> vehicles;
 };
 
 /// What the command line adds to a bringup file.
@@ -148,6 +155,7 @@ struct Overrides {
   std::vector<std::string> set;
   /// "host/process" or "host/process/component" left out; names as in `resolve_path`.
   std::vector<std::string> without;
+  std::string host;  ///< alone of those of the file, without emulated radio; empty: all
   /// Components that can be loaded; another one in the file is an error. Empty: not looked at.
   std::vector<std::string> installed;
 };
@@ -163,6 +171,10 @@ struct Overrides {
 /// Writes that text to a file, whole or not at all. Throws EnvironmentError when it cannot.
 void write_resolved(const Deployment& deployment, const std::string& path);
 
+/// Makes the folder of each of several vehicles, and writes its part of the deployment there: it is
+/// like the folder of a run of this vehicle alone. Throws EnvironmentError.
+void write_parts(const Deployment& deployment);
+
 /// Reads what write_resolved wrote. Throws ConfigError like load_deployment. `copy`: where the same
 /// text is read instead; empty: at `path`, which errors name in any case.
 [[nodiscard]] Deployment load_resolved(const std::string& path, const std::string& copy = "");
@@ -171,6 +183,20 @@ void write_resolved(const Deployment& deployment, const std::string& path);
 /// no host has this name. Throws ConfigError with the choice.
 [[nodiscard]] const Host& host_named(const Deployment& deployment, const std::string& given);
 
+/// What one of several vehicles and the station are to each other: the vehicle's host, and of the
+/// station what serves it or all; their link domain, peers and run folder. The whole of a
+/// deployment without `vehicles`.
+[[nodiscard]] Deployment part_of(const Deployment& deployment, const std::string& vehicle);
+/// The part of each vehicle, or the whole.
+[[nodiscard]] std::vector<Deployment> parts_of(const Deployment& deployment);
+/// Of several vehicles the one that the container is on, or serves; else empty.
+[[nodiscard]] std::string vehicle_of(const Deployment& deployment, const Host& host,
+                                     const Container& container);
+/// Of the container's topics on its host; empty or words joined by '/'.
+[[nodiscard]] std::string namespace_of(const Deployment& deployment, const Container& container);
+/// The folder for the files of the container's components.
+[[nodiscard]] std::string run_dir_of(const Deployment& deployment, const Host& host,
+                                     const Container& container);
 /// Null when there is no such host or container.
 [[nodiscard]] const Host* find_host(const Deployment& deployment, const std::string& name);
 [[nodiscard]] const Container* find_container(const Host& host, const std::string& name);

@@ -19,11 +19,13 @@
 namespace tocsin {
 namespace {
 
-BusOptions bus_options(const deployment::Deployment& deployment, const deployment::Host& host,
+BusOptions bus_options(const deployment::Deployment& whole, const deployment::Host& host_of_all,
                        const deployment::Container& container) {
+  const auto deployment = part_of(whole, vehicle_of(whole, host_of_all, container));
+  const deployment::Host& host = *find_host(deployment, host_of_all.name);
   BusOptions options{host.name + "_" + container.name,
                      host.role,
-                     deployment.ros_namespace,
+                     namespace_of(deployment, container),
                      deployment.qos,
                      deployment.traffic,
                      host.local_domain,
@@ -37,6 +39,7 @@ BusOptions bus_options(const deployment::Deployment& deployment, const deploymen
     options.second_address = host.second->address;
     options.second_peers = host.second->peers;
   }
+  if (!container.vehicle.empty()) options.peer_names = {container.vehicle};
   options.chain = drives_a_vehicle(deployment) ? VehicleChain::ours : VehicleChain::foreign;
   return options;
 }
@@ -58,7 +61,7 @@ Container::Container(const deployment::Deployment& deployment, const deployment:
                      const deployment::Container& container, std::function<void(int)> request_exit)
     : bus_(make_fast_dds_bus(bus_options(deployment, host, container))),
       context_(Context(*bus_, "control", host.role)
-                   .with_run_dir(deployment.run_dir)
+                   .with_run_dir(run_dir_of(deployment, host, container))
                    .with_request_exit(std::move(request_exit))
                    .with_seed(process_seed(deployment.seed, host.name, container.name))
                    .with_node(container_node(container.name))),

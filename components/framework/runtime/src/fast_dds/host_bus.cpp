@@ -36,10 +36,9 @@ BusOptions options_of_run(const deployment::RunningHost& running) {
   return options;
 }
 
-BusOptions installed_options(const HostChoice& choice) {
+BusOptions installed_options() {
   const std::string config = share_folder(own_program()).string() + "/config/";
   BusOptions options;
-  options.ros_namespace = choice.ros_namespace;
   options.qos_file = config + "qos.yaml";
   options.traffic_file = config + "traffic.yaml";
   options.host_domain = default_domain();
@@ -76,7 +75,7 @@ void HostChoice::declare(CLI::App& app) {
   app.add_option("--run-dir", run_dir, "folder of a run of tocsin launch");
   add_host_option(app, host, "host of that run [its first]");
   add_name_option(app, "--namespace", ros_namespace,
-                  "ROS namespace of the topics, without --run-dir");
+                  "ROS namespace of the topics: at a station of several vehicles the name of one");
 }
 
 void HostChoice::adopt_host_of(const std::string& name) {
@@ -101,8 +100,9 @@ int default_domain() {
 
 BusOptions host_bus_options(const HostChoice& choice, const std::string& name) {
   const auto run = chosen_run(choice);
-  BusOptions options = run ? options_of_run(*run) : installed_options(choice);
+  BusOptions options = run ? options_of_run(*run) : installed_options();
   options.name = name;
+  if (!choice.ros_namespace.empty()) options.ros_namespace = choice.ros_namespace;
   if (choice.domain) options.host_domain = *choice.domain;
   return options;
 }

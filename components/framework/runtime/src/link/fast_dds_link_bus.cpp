@@ -7,6 +7,7 @@
 
 #include "foundation/error.hpp"
 #include "foundation/joined.hpp"
+#include "foundation/printable.hpp"
 #include "graph/ros_graph.hpp"
 #include "idl_support/decode.hpp"
 #include "idl_support/encode.hpp"
@@ -52,6 +53,7 @@ StopChannel::Options stop_options(const BusOptions& options, std::function<void(
 FastDdsLinkBus::FastDdsLinkBus(const BusOptions& options, std::function<void()> on_event)
     : options_(with_sound_identity(options)),
       rules_(options.traffic_file, options.role, options.chain),
+      expected_(options.peer_names),
       table_(options.ros_namespace, rules_, std::move(on_event)),
       service_table_(options.ros_namespace, [this] { table_.wake(); }),
       stop_(std::make_shared<StopChannel>(stop_options(options_, [this] { table_.wake(); }))),
@@ -110,14 +112,40 @@ ParticipantOptions FastDdsLinkBus::link_options() {
   // On a secured link a forged number is thrown away with its signature.
   if (options_.enclave.empty()) link.numbers = numbers_;
   link.on_end = [this](const auto& guid, const AnnouncedEnd& end, bool there) {
-    table_.on_link_end(guid, end, there);
+    if (!expected_.is_refused(guid.guidPrefix)) table_.on_link_end(guid, end, there);
   };
   link.on_participant = [this](const auto& prefix, const std::string& name, bool there) {
-    if (!there) outside_readers_.on_gone(prefix);
-    if (there && host_in(name) != name) outside_readers_.on_router(prefix);
-    table_.on_peer(prefix, peer_name(prefix, host_in(name)), there, steady_now());
+    on_link_participant(prefix, name, there);
   };
   return link;
+}
+
+void FastDdsLinkBus::on_link_participant(const RemoteEnds::Participant& participant,
+                                         const std::string& name, bool there) {
+  const std::string peer = peer_name(participant, host_in(name));
+  if (!there) {
+    outside_readers_.on_gone(participant);
+    if (expected_.forget(participant)) return;
+  } else {
+    const auto judgement = expected_.judge(participant, peer);
+    if (judgement == ExpectedPeers::Judgement::refused) {
+      log_.warn("'{}' has come on the link to {}; nothing of it is taken", printable(peer),
+                joined(expected_.names()));
+    }
+    if (judgement != ExpectedPeers::Judgement::expected) return;
+    if (host_in(name) != name) outside_readers_.on_router(participant);
+  }
+  table_.on_peer(participant, peer, there, steady_now());
+}
+
+StopNews FastDdsLinkBus::take_stop_news() {
+  StopNews news = stop_->take_news();
+  const auto of_another = [this](const ReceivedStop& one) {
+    return !one.identity.empty() && !expected_.takes(one.identity);
+  };
+  auto& values = news.values;
+  values.erase(std::remove_if(values.begin(), values.end(), of_another), values.end());
+  return news;
 }
 
 std::string FastDdsLinkBus::peer_name(const RemoteEnds::Participant& participant,
@@ -134,7 +162,7 @@ void FastDdsLinkBus::join_link() {
 }
 
 void FastDdsLinkBus::connect(FlowId id, Sending& sending) {
-  const std::string topic = table_.names().on_wire(sending.flow.topic);
+  const std::string topic = link_names().on_wire(sending.flow.topic);
   const TrafficRule* const rule = rules_.find(sending.flow.topic);
   const bool on_demand = rule != nullptr && rule->on_demand;
   for (PathIndex path = 0; path < paths(); ++path) {
@@ -203,7 +231,7 @@ void FastDdsLinkBus::listen_on_host(FlowId id, const Flow& flow) {
 }
 
 void FastDdsLinkBus::listen_on_link(FlowId id, const Flow& flow, bool anew) {
-  const ReaderKey key{table_.names().on_wire(flow.topic), flow.type};
+  const ReaderKey key{link_names().on_wire(flow.topic), flow.type};
   try {
     anew ? link_readers_.renew(id) : link_readers_.add(id, key);
   } catch (const EnvironmentError& error) {

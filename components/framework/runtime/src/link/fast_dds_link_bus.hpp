@@ -15,6 +15,7 @@
 #include "foundation/error.hpp"
 #include "graph/ros_graph.hpp"
 #include "link/demand.hpp"
+#include "link/expected_peers.hpp"
 #include "link/fast_dds_host_services.hpp"
 #include "link/flow_ends.hpp"
 #include "link/flow_readers.hpp"
@@ -71,7 +72,7 @@ class FastDdsLinkBus final : public LinkBus {
     return rules_.call_classes().empty() ? nullptr : &services_;
   }
   void say_stop(const StopValue& value) override;
-  [[nodiscard]] StopNews take_stop_news() override { return stop_->take_news(); }
+  [[nodiscard]] StopNews take_stop_news() override;
   [[nodiscard]] const TrafficRules& rules() const override { return rules_; }
   [[nodiscard]] LinkPackets packets() const override { return marks_->packets(); }
 
@@ -88,6 +89,8 @@ class FastDdsLinkBus final : public LinkBus {
   [[nodiscard]] ParticipantOptions host_options();
   [[nodiscard]] ParticipantOptions link_options();
   void join_link();
+  void on_link_participant(const RemoteEnds::Participant& participant, const std::string& name,
+                           bool there);
   /// The name of a peer that calls itself the router of `host`; empty for one that has left.
   [[nodiscard]] std::string peer_name(const RemoteEnds::Participant& participant,
                                       const std::string& host) const;
@@ -109,6 +112,7 @@ class FastDdsLinkBus final : public LinkBus {
   const BusOptions options_;
   Logger log_{"link"};
   const TrafficRules rules_;
+  ExpectedPeers expected_;
   OutsideReaders outside_readers_;
   FlowTable table_;
   ServiceTable service_table_;

@@ -28,7 +28,7 @@ FlowTable::FlowTable(const std::string& ros_namespace, const TrafficRules& rules
     : names_(ros_namespace), rules_(rules), on_event_(std::move(on_event)) {}
 
 std::optional<Flow> FlowTable::flow_in(const AnnouncedEnd& end, bool on_link) const {
-  const auto topic = names_.of_people(end.topic);
+  const auto topic = on_link ? link_names().of_people(end.topic) : names_.of_people(end.topic);
   if (!end.writer || !topic) return std::nullopt;
   if (!on_link && rules_.find(*topic) == nullptr) return std::nullopt;
   if (on_link && !rules_.takes(*topic) && !is_of_routers(rules_, *topic)) return std::nullopt;
@@ -157,7 +157,7 @@ void FlowTable::on_host_end(const Guid& guid, const AnnouncedEnd& end, bool ther
 }
 
 void FlowTable::on_link_end(const Guid& guid, const AnnouncedEnd& end, bool there) {
-  const auto topic = names_.of_people(end.topic);
+  const auto topic = link_names().of_people(end.topic);
   if (!end.writer || !topic) return;
   std::optional<std::string> refused;  // of this peer
   {

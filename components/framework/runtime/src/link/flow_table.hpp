@@ -62,6 +62,7 @@ class FlowTable {
   /// What is known of a flow of the host or of a peer.
   [[nodiscard]] std::optional<Flow> find(FlowId id) const;
   [[nodiscard]] static PeerId peer_of(const Participant& participant);
+  /// Of the host's topics; those on the link have link_names().
   [[nodiscard]] const TopicNames& names() const { return names_; }
 
  private:

@@ -13,7 +13,7 @@ std::string topic_of(const std::string& start, const CallClass& calls) {
 }
 
 std::vector<std::string> topics_of(Role role, const LinkSide& side) {
-  const TopicNames names(side.ros_namespace);
+  const TopicNames names = link_names();
   std::vector<std::string> topics;
   const TrafficRules rules(side.traffic_file, role);
   for (const auto* of : {&rules.all(), &rules.patterns()}) {

@@ -22,4 +22,7 @@ class TopicNames {
   std::string prefix_;
 };
 
+/// On the link no topic is in a namespace: both sides of it may have one of their own.
+[[nodiscard]] inline TopicNames link_names() { return TopicNames(""); }
+
 }  // namespace tocsin

@@ -71,6 +71,17 @@ TEST_F(FlowTableTest, WritersThatAnnounceSomethingElseAreAFlowOfTheirOwn) {
   EXPECT_EQ(other.what.user_data, "speaker=station;");
 }
 
+TEST_F(FlowTableTest, TheNamespaceOfAHostIsNotOnTheLink) {
+  FlowTable sut("uxv3", rules_, [] {});
+  sut.on_host_end(guid(1, 1), writer("rt/uxv3/heartbeat"), true);
+  sut.on_host_end(guid(1, 2), writer("rt/uxv4/heartbeat"), true);
+  sut.on_link_end(guid(2, 1), writer("rt/goal"), true);
+  sut.on_link_end(guid(2, 2), writer("rt/uxv3/goal"), true);
+  EXPECT_EQ(std::get<HostFlow>(*sut.pop()).what.topic, "heartbeat");
+  EXPECT_EQ(std::get<PeerFlow>(*sut.pop()).what.topic, "goal");
+  EXPECT_FALSE(sut.pop());
+}
+
 TEST_F(FlowTableTest, WhatTheTrafficFileDoesNotNameStays) {
   sut_.on_host_end(guid(1, 1), writer("rt/odom"), true);
   sut_.on_host_end(guid(1, 2), writer("ros_discovery_info"), true);

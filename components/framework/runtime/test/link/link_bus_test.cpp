@@ -52,6 +52,56 @@ TEST_F(LinkBusTest, ASampleCrossesToAnOrdinaryReaderOfTheOtherHostWithItsWriterN
   EXPECT_GT(sample.bytes, 300U);
 }
 
+TEST_F(LinkBusTest, EachSideHasANamespaceOfItsOwn) {
+  BusOptions station_side = options(Role::gcs);
+  station_side.ros_namespace = "uxv3";
+  const Relay uxv(options(Role::uxv));
+  const Relay gcs(station_side);
+  const auto vehicle = process(Role::uxv);
+  const auto station = process(Role::gcs);
+  BusOptions in_namespace = ordinary(Role::gcs);
+  in_namespace.ros_namespace = "uxv3";
+  const auto its_station = make_fast_dds_bus(in_namespace);
+  Samples elsewhere;
+  Samples there;
+  Samples back;
+  const auto other = station->subscribe(endpoint<topic::Location>(), elsewhere);
+  const auto far = its_station->subscribe(endpoint<topic::Location>(), there);
+  const auto goals = vehicle->subscribe(endpoint<topic::Goal>(), back);
+  const auto location = vehicle->advertise(endpoint<topic::Location>());
+  const auto goal = its_station->advertise(endpoint<topic::Goal>());
+  EXPECT_TRUE(write_until_heard<topic::Location>(*location, there));
+  EXPECT_TRUE(write_until_heard<topic::Goal>(*goal, back));
+  EXPECT_TRUE(elsewhere.all().empty());
+}
+
+TEST_F(LinkBusTest, ALinkToOneVehicleTakesNothingOfAnother) {
+  BusOptions station_side = options(Role::gcs);
+  station_side.peer_names = {"uxv3"};
+  BusOptions right = options(Role::uxv);
+  right.host = "uxv3";
+  Relay gcs(station_side);
+  const auto vehicle = process(Role::uxv);
+  const auto writer = vehicle->advertise(endpoint<topic::Location>());
+  {
+    Relay stranger(options(Role::uxv));
+    ASSERT_TRUE(eventually([&] { return !stranger.peers().empty(); }));
+    for (int i = 0; i < 20; ++i) {
+      (void)writer->write(std::make_shared<const topic::Location::Message>());
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    EXPECT_THAT(gcs.crossed(), ::testing::IsEmpty());
+    EXPECT_THAT(gcs.peers(), ::testing::IsEmpty());
+  }
+  const Relay uxv(right);
+  EXPECT_TRUE(eventually([&] {
+    (void)writer->write(std::make_shared<const topic::Location::Message>());
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    return !gcs.crossed().empty();
+  }));
+  EXPECT_THAT(gcs.peers(), ::testing::ElementsAre("uxv3"));
+}
+
 TEST_F(LinkBusTest, AVelocityThatAPeerSendsIsNotGivenToTheVehicle) {
   const TemporaryFolder folder;
   BusOptions hostile = options(Role::gcs);

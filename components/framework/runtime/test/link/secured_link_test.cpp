@@ -49,8 +49,11 @@ class SecuredLinkTest : public LinkBusFixture {
   }
   /// A router of the vehicle that the station must not hear: its samples do not cross, neither is
   /// it a peer, while a vehicle with a good identity is heard.
-  void expect_not_heard(const BusOptions& stranger_options) {
-    Relay gcs(secured(Role::gcs));
+  void expect_not_heard(const BusOptions& stranger_options,
+                        const std::vector<std::string>& peer_names = {}) {
+    BusOptions station = secured(Role::gcs);
+    station.peer_names = peer_names;
+    Relay gcs(station);
     const Relay stranger(stranger_options);
     const auto vehicle = process(Role::uxv);
     const auto writer = vehicle->advertise(endpoint<topic::Location>());
@@ -123,6 +126,12 @@ TEST_F(SecuredLinkTest, APictureCrossesInPacketsOfAtMost1400BytesThatNobodyElseC
 }
 
 TEST_F(SecuredLinkTest, WhoHasNoIdentityIsNotHeard) { expect_not_heard(options(Role::uxv)); }
+
+TEST_F(SecuredLinkTest, ALinkToOneVehicleTakesNothingOfAnotherThatHasItsName) {
+  keystore::add(store("keystore"), {"uxv2", {{"rt/location", "rt/camera/*"}, {"rt/goal"}}},
+                std::time(nullptr));
+  expect_not_heard(secured(Role::uxv, "uxv2"), {"uxv"});
+}
 
 TEST_F(SecuredLinkTest, AnIdentityOfAnotherAuthorityIsNotHeard) {
   make_keystore("other");

@@ -18,8 +18,8 @@ using ::testing::UnorderedElementsAreArray;
 const std::string shipped = std::string(TOCSIN_REPOSITORY) + "/config/traffic.yaml";
 
 TEST(LinkPermissions, OnlyTheStationWritesGoalsAndDrives) {
-  const auto vehicle = link_permissions({Role::uxv, shipped, ""});
-  const auto station = link_permissions({Role::gcs, shipped, ""});
+  const auto vehicle = link_permissions({Role::uxv, shipped});
+  const auto station = link_permissions({Role::gcs, shipped});
   for (const char* topic : {"rt/goal", "rt/teleop/request", "rt/mission_status"}) {
     EXPECT_THAT(station.publish, Contains(topic));
     EXPECT_THAT(vehicle.publish, Not(Contains(topic)));
@@ -29,15 +29,15 @@ TEST(LinkPermissions, OnlyTheStationWritesGoalsAndDrives) {
 
 TEST(LinkPermissions, NobodyWritesTheStopWhichHasAWayOfItsOwn) {
   for (const Role role : roles) {
-    const auto sut = link_permissions({role, shipped, ""});
+    const auto sut = link_permissions({role, shipped});
     EXPECT_THAT(sut.publish, Not(Contains("rt/emergency_stop")));
     EXPECT_THAT(sut.subscribe, Not(Contains("rt/emergency_stop")));
   }
 }
 
 TEST(LinkPermissions, OnlyTheVehicleWritesItsState) {
-  const auto vehicle = link_permissions({Role::uxv, shipped, ""});
-  const auto station = link_permissions({Role::gcs, shipped, ""});
+  const auto vehicle = link_permissions({Role::uxv, shipped});
+  const auto station = link_permissions({Role::gcs, shipped});
   for (const char* topic : {"rt/location", "rt/camera/image_raw/compressed", "rt/safety_status"}) {
     EXPECT_THAT(vehicle.publish, Contains(topic));
     EXPECT_THAT(station.publish, Not(Contains(topic)));
@@ -45,8 +45,8 @@ TEST(LinkPermissions, OnlyTheVehicleWritesItsState) {
 }
 
 TEST(LinkPermissions, WhatOneSendsTheOtherHears) {
-  const auto vehicle = link_permissions({Role::uxv, shipped, ""});
-  const auto station = link_permissions({Role::gcs, shipped, ""});
+  const auto vehicle = link_permissions({Role::uxv, shipped});
+  const auto station = link_permissions({Role::gcs, shipped});
   EXPECT_THAT(vehicle.subscribe, UnorderedElementsAreArray(station.publish));
   EXPECT_THAT(station.subscribe, UnorderedElementsAreArray(vehicle.publish));
   EXPECT_THAT(vehicle.publish, Contains("rt/link_acknowledgement"));
@@ -55,7 +55,7 @@ TEST(LinkPermissions, WhatOneSendsTheOtherHears) {
 
 TEST(LinkPermissions, CallsGoBothWaysWhereTheFileNamesServices) {
   for (const Role role : roles) {
-    const auto sut = link_permissions({role, shipped, ""});
+    const auto sut = link_permissions({role, shipped});
     for (const char* topic :
          {"rt/link_services", "rt/link_calls_uxv_high", "rt/link_results_uxv_high"}) {
       EXPECT_THAT(sut.publish, Contains(topic));
@@ -63,7 +63,7 @@ TEST(LinkPermissions, CallsGoBothWaysWhereTheFileNamesServices) {
     }
   }
   const ConfigFile file("uxv: {high: {topics: ['arm/*']}}\ngcs: {}\n");
-  const auto without = link_permissions({Role::uxv, file.path(), ""});
+  const auto without = link_permissions({Role::uxv, file.path()});
   EXPECT_THAT(without.publish, Not(Contains("rt/link_services")));
   EXPECT_THAT(without.publish, Contains("rt/arm/*"));
 }
@@ -72,19 +72,13 @@ TEST(LinkPermissions, OfATopicThatIsOnlyLoggedThereAreNone) {
   const TemporaryFolder folder;
   const std::string traffic = folder.write(
       "traffic.yaml", "uxv:\n  low: {topics: [camera], log: [odom]}\ngcs:\n  low: {topics: []}\n");
-  const auto vehicle = link_permissions({Role::uxv, traffic, ""});
+  const auto vehicle = link_permissions({Role::uxv, traffic});
   EXPECT_THAT(vehicle.publish, Contains("rt/camera"));
   EXPECT_THAT(vehicle.publish, Not(Contains("rt/odom")));
 }
 
-TEST(LinkPermissions, AreOfTheNamespace) {
-  const auto vehicle = link_permissions({Role::uxv, shipped, "fleet/uxv1"});
-  EXPECT_THAT(vehicle.publish, Contains("rt/fleet/uxv1/location"));
-  EXPECT_THAT(vehicle.subscribe, Not(Contains("rt/goal")));
-}
-
 TEST(LinkPermissions, NeedATrafficFile) {
-  EXPECT_THROW((void)link_permissions({Role::uxv, "/nowhere.yaml", ""}), ConfigError);
+  EXPECT_THROW((void)link_permissions({Role::uxv, "/nowhere.yaml"}), ConfigError);
 }
 
 }  // namespace

@@ -28,8 +28,13 @@ std::uint64_t own_seed(const ChannelParams& params, std::uint64_t site) {
   return params.shared_shadowing < 1 ? RandomStream(site, stream).bits() : site;
 }
 
+std::uint64_t vehicle_seed(std::uint64_t radio, std::size_t vehicle) {
+  constexpr std::uint64_t first_stream = 100;
+  return vehicle == 0 ? radio : RandomStream(radio, first_stream + vehicle).bits();
+}
+
 Propagation::Propagation(const ChannelParams& params, std::vector<geometry::Wall> walls,
-                         std::uint64_t seed, Time start)
+                         std::uint64_t seed, Time start, std::size_t vehicle)
     : params_(params),
       walls_(std::move(walls)),
       shadowing_(params.shadowing_sigma_db * std::sqrt(params.shared_shadowing),
@@ -37,10 +42,10 @@ Propagation::Propagation(const ChannelParams& params, std::vector<geometry::Wall
       own_shadowing_(params.shadowing_sigma_db * std::sqrt(1 - params.shared_shadowing),
                      params.shadowing_distance_m, own_seed(params, seed)),
       fading_(299.792458 / params.frequency_mhz, params.environment_doppler_hz,
-              own_seed(params, seed)),
+              vehicle_seed(own_seed(params, seed), vehicle)),
       start_(start) {
   if (params.trace && params.trace_random_start) {
-    RandomStream random(own_seed(params, seed), 6);
+    RandomStream random(vehicle_seed(own_seed(params, seed), vehicle), 6);
     trace_start_s_ = random.uniform() * params.trace->length_s();
   }
   set_position(0, 0);

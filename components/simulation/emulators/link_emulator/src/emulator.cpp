@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "emulator.hpp"
 
+#include <arpa/inet.h>
 #include <sys/epoll.h>
 #include <sys/signalfd.h>
 #include <sys/timerfd.h>
@@ -8,10 +9,10 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <utility>
 
 #include "foundation/error.hpp"
 #include "foundation/replace_file.hpp"
-#include "foundation/role.hpp"
 #include "geometry/wall_file.hpp"
 #include "radio_channel/channel_files.hpp"
 
@@ -43,7 +44,19 @@ timespec timespec_of(Time t) {
 radio::RadioChannel make_channel(const Options& options, Time start) {
   std::vector<geometry::Wall> walls;
   if (!options.walls_file.empty()) walls = geometry::load_walls(options.walls_file);
-  return {radio::load_channel(options.channel_file), std::move(walls), options.seed, start};
+  return {radio::load_channel(options.channel_file), walls, options.seed, start,
+          options.vehicles.size()};
+}
+
+Emulator::Vehicle::Vehicle(const Options& options, std::size_t index)
+    : end(options.vehicles[index]),
+      address(::inet_addr(end.address.c_str())),
+      tun(end, options.interface),
+      wireless_path(path_for(options.wireless_path, end)) {
+  const std::string control_path = path_for(options.control_path, end);
+  const std::string stats_path = path_for(options.stats_path, end);
+  if (!control_path.empty()) control = std::make_unique<DatagramSocket>(control_path);
+  if (!stats_path.empty()) stats = std::make_unique<StatsFile>(stats_path);
 }
 
 Emulator::Emulator(const Options& options)
@@ -53,20 +66,19 @@ Emulator::Emulator(const Options& options)
       timer_(::timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK | TFD_CLOEXEC)),
       start_(clock_now()),
       channel_(make_channel(options, start_)),
-      uxv_(options.uxv, options.interface),
       gcs_(options.gcs, options.interface),
       tick_at_(start_ + tick_period),
       report_at_(start_ + report_period) {
-  if (!options.control_path.empty()) {
-    control_ = std::make_unique<DatagramSocket>(options.control_path);
-    watch(control_->descriptor());
+  for (std::size_t i = 0; i < options.vehicles.size(); ++i) {
+    Vehicle& vehicle = vehicles_.emplace_back(options, i);
+    if (vehicle.control) watch(vehicle.control->descriptor());
+    const std::string text = wireless_text(options.interface, channel_.report(start_, i));
+    if (const auto error = write_wireless(vehicle, text)) {
+      throw ConfigError("--wireless " + vehicle.wireless_path + ": " + error.message());
+    }
+    watch(vehicle.tun.fd());
   }
-  if (!options.stats_path.empty()) stats_ = std::make_unique<StatsFile>(options.stats_path);
-  if (const auto error =
-          write_wireless(wireless_text(options.interface, channel_.report(start_)))) {
-    throw ConfigError("--wireless " + options.wireless_path + ": " + error.message());
-  }
-  for (const int fd : {signals_.get(), timer_.get(), uxv_.fd(), gcs_.fd()}) watch(fd);
+  for (const int fd : {signals_.get(), timer_.get(), gcs_.fd()}) watch(fd);
 }
 
 void Emulator::watch(int fd) {
@@ -82,7 +94,7 @@ void Emulator::run() {
     deliver();
     if (clock_now() >= report_at_) report();
   }
-  uxv_.remove_at_end();
+  for (Vehicle& vehicle : vehicles_) vehicle.tun.remove_at_end();
   gcs_.remove_at_end();
 }
 
@@ -99,53 +111,88 @@ void Emulator::wait() {
 }
 
 void Emulator::handle(int fd) {
-  if (fd == uxv_.fd()) carry(radio::Direction::uplink);
-  if (fd == gcs_.fd()) carry(radio::Direction::downlink);
   if (fd == signals_.get()) running_ = false;
-  if (!control_ || fd != control_->descriptor()) return;
-  while (const auto message = control_->receive()) obey(message->text);
-}
-
-void Emulator::carry(radio::Direction direction) {
-  const bool up = direction == radio::Direction::uplink;
-  Tun& from = up ? uxv_ : gcs_;
-  const int prefix = up ? options_.uxv.prefix : options_.gcs.prefix;
-  for (int i = 0; i < packets_per_wake_up; ++i) {
-    auto packet = from.read();
-    if (from.gone()) forget(from, to_string(up ? Role::uxv : Role::gcs));
-    if (packet.empty()) return;
-    const radio::Packet on_air{static_cast<int>(packet.size()), is_group_addressed(packet, prefix),
-                               radio::access_category_of_dscp(dscp_of(packet))};
-    packets_[channel_.push(direction, on_air, clock_now())] = std::move(packet);
+  if (fd == gcs_.fd()) carry_from_station();
+  for (std::size_t i = 0; i < vehicles_.size(); ++i) {
+    Vehicle& vehicle = vehicles_[i];
+    if (fd == vehicle.tun.fd()) carry_from(i);
+    if (!vehicle.control || fd != vehicle.control->descriptor()) continue;
+    while (const auto message = vehicle.control->receive()) obey(message->text, i);
   }
 }
 
+void Emulator::carry_from(std::size_t index) {
+  Vehicle& vehicle = vehicles_[index];
+  for (int i = 0; i < packets_per_wake_up; ++i) {
+    Bytes packet = vehicle.tun.read();
+    if (vehicle.tun.gone()) forget(vehicle.tun, vehicle.end);
+    if (packet.empty()) return;
+    push(radio::Direction::uplink, index, std::move(packet));
+  }
+}
+
+void Emulator::carry_from_station() {
+  for (int i = 0; i < packets_per_wake_up; ++i) {
+    Bytes packet = gcs_.read();
+    if (gcs_.gone()) forget(gcs_, options_.gcs);
+    if (packet.empty()) return;
+    send_down(std::move(packet));
+  }
+}
+
+/// To a group it goes to each vehicle by itself. With one vehicle all is for it, as on a wire.
+void Emulator::send_down(Bytes packet) {
+  const bool to_all = vehicles_.size() == 1 || is_group_addressed(packet, options_.gcs.prefix);
+  const std::uint32_t destination = destination_of(packet);
+  for (std::size_t i = 0; i < vehicles_.size(); ++i) {
+    if (to_all || vehicles_[i].address == destination) push(radio::Direction::downlink, i, packet);
+  }
+}
+
+void Emulator::push(radio::Direction direction, std::size_t vehicle, Bytes packet) {
+  const bool up = direction == radio::Direction::uplink;
+  const int prefix = up ? vehicles_[vehicle].end.prefix : options_.gcs.prefix;
+  const radio::Packet on_air{static_cast<int>(packet.size()), is_group_addressed(packet, prefix),
+                             radio::access_category_of_dscp(dscp_of(packet)), vehicle};
+  packets_[channel_.push(direction, on_air, clock_now())] = std::move(packet);
+}
+
 /// A descriptor of an interface that is gone is readable for ever.
-void Emulator::forget(const Tun& end, const std::string& name) {
-  ::epoll_ctl(epoll_.get(), EPOLL_CTL_DEL, end.fd(), nullptr);
+void Emulator::forget(const Tun& tun, const End& end) {
+  ::epoll_ctl(epoll_.get(), EPOLL_CTL_DEL, tun.fd(), nullptr);
   std::fprintf(stderr,
                "link_emulator: the interface %s of %s was deleted; nothing passes until this "
                "program is started again\n",
-               options_.interface.c_str(), name.c_str());
+               options_.interface.c_str(), end.name.c_str());
 }
 
 void Emulator::deliver() {
   channel_.advance(clock_now());
   while (const auto outcome = channel_.take()) {
     const auto packet = packets_.find(outcome->id);
-    if (outcome->fate == radio::Fate::delivered) {
-      Tun& to = outcome->direction == radio::Direction::uplink ? gcs_ : uxv_;
-      if (!to.write(packet->second)) ++counters_.write_errors;
-    }
+    Bytes bytes = std::move(packet->second);
     packets_.erase(packet);
+    if (outcome->fate == radio::Fate::delivered) deliver(*outcome, std::move(bytes));
   }
 }
 
-void Emulator::obey(const std::string& datagram) {
+/// The access point sends on what a vehicle sends to another one.
+void Emulator::deliver(const radio::Outcome& outcome, Bytes packet) {
+  const bool up = outcome.direction == radio::Direction::uplink;
+  const std::uint32_t destination = destination_of(packet);
+  const bool is_for_vehicle =
+      up && std::any_of(vehicles_.begin(), vehicles_.end(),
+                        [&](const Vehicle& one) { return one.address == destination; });
+  if (is_for_vehicle) return send_down(std::move(packet));
+  Tun& to = up ? gcs_ : vehicles_[outcome.vehicle].tun;
+  if (!to.write(packet)) ++counters_.write_errors;
+}
+
+void Emulator::obey(const std::string& datagram, std::size_t vehicle) {
   ++counters_.commands;
   const Command command = parse_command(datagram);
   if (const auto* move = std::get_if<MoveTo>(&command)) {
-    channel_.set_position(move->x_m, move->y_m);
+    channel_.set_position(move->x_m, move->y_m, vehicle);
   } else if (const auto* outage = std::get_if<BeginOutage>(&command)) {
     channel_.begin_outage(clock_now(), seconds(outage->length_s));
   } else if (const auto* set = std::get_if<SetParameter>(&command)) {
@@ -165,20 +212,25 @@ void Emulator::apply(const SetParameter& command) {
 }
 
 /// Readers see the old text or the new one. Once a second, so without waiting for the disk.
-std::error_code Emulator::write_wireless(const std::string& text) const {
-  if (options_.wireless_path.empty()) return {};
-  return replace_file(options_.wireless_path, text, Sync::no);
+std::error_code Emulator::write_wireless(const Vehicle& vehicle, const std::string& text) {
+  if (vehicle.wireless_path.empty()) return {};
+  return replace_file(vehicle.wireless_path, text, Sync::no);
 }
 
 void Emulator::report() {
   const Time now = clock_now();
-  const radio::LinkReport link = channel_.report(now);
-  if (stats_) stats_->append(stats_line(to_seconds(now - start_), link, counters_));
-  const std::string wireless =
-      uxv_.gone() ? wireless_head() : wireless_text(options_.interface, link);
-  if (write_wireless(wireless)) ++counters_.write_errors;
+  for (std::size_t i = 0; i < vehicles_.size(); ++i) report(i, now);
   counters_.late = Duration::zero();
   report_at_ = std::max(report_at_ + report_period, now);
+}
+
+void Emulator::report(std::size_t index, Time now) {
+  const Vehicle& vehicle = vehicles_[index];
+  const radio::LinkReport link = channel_.report(now, index);
+  if (vehicle.stats) vehicle.stats->append(stats_line(to_seconds(now - start_), link, counters_));
+  const std::string wireless =
+      vehicle.tun.gone() ? wireless_head() : wireless_text(options_.interface, link);
+  if (write_wireless(vehicle, wireless)) ++counters_.write_errors;
 }
 
 }  // namespace tocsin::link

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,7 +25,8 @@ namespace tocsin::link {
 /// The channel that the files of the options describe. Throws ConfigError.
 [[nodiscard]] radio::RadioChannel make_channel(const Options& options, Time start);
 
-/// The program: two interfaces, the channel between them, control, statistics; one thread.
+/// The program: an interface for each vehicle and one for the station, the channel between them,
+/// control, statistics; one thread.
 ///
 /// What may fail fails in the constructor (ConfigError, EnvironmentError). While running, a full
 /// disk or a refused packet is counted or shows as a missing line, and the link goes on. When
@@ -35,16 +38,35 @@ class Emulator {
   void run();
 
  private:
+  /// One vehicle's side.
+  struct Vehicle {
+    Vehicle(const Options& options, std::size_t index);
+    End end;
+    std::uint32_t address;  ///< in network byte order
+    Tun tun;
+    std::unique_ptr<DatagramSocket> control = {};
+    std::unique_ptr<StatsFile> stats = {};
+    std::string wireless_path;
+  };
+  using Bytes = std::vector<std::uint8_t>;
+
   void watch(int fd);
   void wait();
   void handle(int fd);
-  void carry(radio::Direction direction);
-  void forget(const Tun& end, const std::string& name);
+  void carry_from(std::size_t vehicle);
+  void carry_from_station();
+  /// A packet of the station, or one that the access point sends on.
+  void send_down(Bytes packet);
+  void push(radio::Direction direction, std::size_t vehicle, Bytes packet);
+  void forget(const Tun& tun, const End& end);
   void deliver();
-  void obey(const std::string& datagram);
+  void deliver(const radio::Outcome& outcome, Bytes packet);
+  void obey(const std::string& datagram, std::size_t vehicle);
   void apply(const SetParameter& command);
   void report();
-  [[nodiscard]] std::error_code write_wireless(const std::string& text) const;
+  void report(std::size_t vehicle, Time now);
+  [[nodiscard]] static std::error_code write_wireless(const Vehicle& vehicle,
+                                                      const std::string& text);
 
   Options options_;
   FileDescriptor signals_;
@@ -52,11 +74,9 @@ class Emulator {
   FileDescriptor timer_;
   Time start_;
   radio::RadioChannel channel_;
-  Tun uxv_;
+  std::deque<Vehicle> vehicles_;
   Tun gcs_;
-  std::unique_ptr<DatagramSocket> control_;
-  std::unique_ptr<StatsFile> stats_;
-  std::unordered_map<radio::FrameId, std::vector<std::uint8_t>> packets_;  // on their way
+  std::unordered_map<radio::FrameId, Bytes> packets_;  // on their way
   EmulatorCounters counters_;
   Time tick_at_;
   Time report_at_;

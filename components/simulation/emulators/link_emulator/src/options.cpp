@@ -5,10 +5,12 @@
 #include <net/if.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 
 #include "command_line/option_checks.hpp"
 #include "foundation/error.hpp"
+#include "foundation/names.hpp"
 #include "foundation/role.hpp"
 
 namespace tocsin::link {
@@ -28,26 +30,56 @@ int prefix_of(const std::string& text, const std::string& whole) {
   return prefix;
 }
 
+constexpr const char* placeholder = "{vehicle}";
+
+/// Several vehicles cannot share one of these.
+void check_path(const char* option, const std::string& path, const Options& options) {
+  if (path.empty() || options.vehicles.size() < 2) return;
+  if (path.find(placeholder) != std::string::npos) return;
+  throw ConfigError(std::string(option) + " " + path + ": needs {vehicle} in it, for " +
+                    std::to_string(options.vehicles.size()) + " vehicles");
+}
+
 void check(const Options& options) {
-  if (options.uxv.netns.empty() || options.gcs.netns.empty()) {
-    throw ConfigError("--end: needs one for uxv and one for gcs");
+  if (options.vehicles.empty() || options.gcs.netns.empty()) {
+    throw ConfigError("--end: needs one for gcs and at least one for a vehicle");
   }
   if (options.interface.empty() || options.interface.size() >= IFNAMSIZ) {
     throw ConfigError("--interface: '" + options.interface + "' is not 1 to 15 characters");
   }
+  check_path("--control", options.control_path, options);
+  check_path("--stats", options.stats_path, options);
+  check_path("--wireless", options.wireless_path, options);
+}
+
+void add_end(const End& end, const std::string& text, Options& options) {
+  const bool is_station = end.name == to_string(Role::gcs);
+  const auto has_name = [&](const End& other) { return other.name == end.name; };
+  const auto& all = options.vehicles;
+  if (is_station ? !options.gcs.netns.empty() : std::any_of(all.begin(), all.end(), has_name)) {
+    bad_end(text, end.name + " is given twice");
+  }
+  is_station ? void(options.gcs = end) : options.vehicles.push_back(end);
 }
 
 }  // namespace
+
+std::string path_for(const std::string& path, const End& vehicle) {
+  std::string made = path;
+  const std::string mark = placeholder;
+  for (auto at = made.find(mark); at != std::string::npos; at = made.find(mark)) {
+    made.replace(at, mark.size(), vehicle.name);
+  }
+  return made;
+}
 
 void parse_end(const std::string& text, Options& options) {
   const auto first = text.find(':');
   const auto last = text.rfind(':');
   if (first == std::string::npos || first == last) bad_end(text, "has not three parts");
-  const std::string name = text.substr(0, first);
-  const auto role = role_of(name);
-  if (!role) bad_end(text, "'" + name + "' is neither uxv nor gcs");
-  End& end = role == Role::uxv ? options.uxv : options.gcs;
-  if (!end.netns.empty()) bad_end(text, name + " is given twice");
+  End end;
+  end.name = text.substr(0, first);
+  if (!is_name(end.name)) bad_end(text, "'" + end.name + "' is not " + name_rule);
   const std::string network = text.substr(last + 1);
   const auto slash = network.find('/');
   if (slash == std::string::npos) bad_end(text, "has no prefix");
@@ -59,22 +91,27 @@ void parse_end(const std::string& text, Options& options) {
     bad_end(text, "'" + end.address + "' is not an IPv4 address");
   }
   end.prefix = prefix_of(network.substr(slash + 1), text);
+  add_end(end, text, options);
 }
 
 std::optional<Options> parse_options(int argc, const char* const* argv) {
   Options options;
   std::vector<std::string> ends;
-  CLI::App app("Carries IP packets between two network namespaces over the modelled radio link.",
-               "link_emulator");
+  CLI::App app(
+      "Carries IP packets between network namespaces, of vehicles and a station, over the modelled "
+      "radio.",
+      "link_emulator");
   app.add_option("--channel", options.channel_file, "channel file (YAML)")->required();
   app.add_option("--walls", options.walls_file, "walls file (YAML)");
   app.add_option("--seed", options.seed, "seed of shadowing, fading and losses")->check(is_seed());
-  app.add_option("--end", ends, "NAME:NETNS:ADDRESS/PREFIX, once for uxv and once for gcs")
+  app.add_option("--end", ends, "NAME:NETNS:ADDRESS/PREFIX, once for gcs and once for each vehicle")
       ->required();
-  app.add_option("--interface", options.interface, "name of the interface in both namespaces");
-  app.add_option("--control", options.control_path, "unix datagram socket to create");
-  app.add_option("--stats", options.stats_path, "JSON lines, one per second, appended");
-  app.add_option("--wireless", options.wireless_path, "file like /proc/net/wireless, replaced");
+  app.add_option("--interface", options.interface, "name of the interface in all namespaces");
+  app.add_option("--control", options.control_path,
+                 "unix datagram socket to create; for several vehicles with {vehicle} in it");
+  app.add_option("--stats", options.stats_path, "JSON lines, one per second, appended; the same");
+  app.add_option("--wireless", options.wireless_path,
+                 "file like /proc/net/wireless, replaced; the same");
   app.add_flag("--check", options.check, "only look at the arguments and the files that they name");
   try {
     app.parse(argc, argv);

@@ -151,6 +151,12 @@ bool is_group_addressed(const std::vector<std::uint8_t>& packet, int prefix) {
   return to >> 28 == 0xe || (to & hosts) == hosts;
 }
 
+std::uint32_t destination_of(const std::vector<std::uint8_t>& packet) {
+  std::uint32_t to = 0;
+  if (packet.size() >= 20 && packet[0] >> 4 == 4) std::memcpy(&to, &packet[16], sizeof to);
+  return to;
+}
+
 std::uint8_t dscp_of(const std::vector<std::uint8_t>& packet) {
   const int version = packet.size() >= 20 ? packet[0] >> 4 : 0;
   if (version == 4) return static_cast<std::uint8_t>(packet[1] >> 2);

@@ -42,6 +42,9 @@ class Tun {
 /// that of a network with this `prefix`. False for what is not IP.
 [[nodiscard]] bool is_group_addressed(const std::vector<std::uint8_t>& packet, int prefix);
 
+/// The destination of an IPv4 packet, in network byte order; 0 for another one.
+[[nodiscard]] std::uint32_t destination_of(const std::vector<std::uint8_t>& packet);
+
 /// The DSCP of an IP packet, 0 to 63: the upper six bits of IPv4's TOS byte or IPv6's traffic
 /// class. 0 for what is not IP.
 [[nodiscard]] std::uint8_t dscp_of(const std::vector<std::uint8_t>& packet);

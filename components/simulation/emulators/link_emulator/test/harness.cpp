@@ -32,6 +32,7 @@ struct Made {
   std::string missing;
   int uxv = -1;
   int gcs = -1;
+  int second_uxv = -1;
 };
 
 void write_file(const std::string& path, const std::string& text) { std::ofstream(path) << text; }
@@ -56,8 +57,8 @@ Made make() {
   if (own_user && !enter_user_namespace()) {
     return {std::string("no user namespaces here: ") + std::strerror(errno)};
   }
-  Made made{"", new_namespace(), new_namespace()};
-  if (made.uxv < 0 || made.gcs < 0) made.missing = "no network namespaces here";
+  Made made{"", new_namespace(), new_namespace(), new_namespace()};
+  if (made.second_uxv < 0) made.missing = "no network namespaces here";
   const int tun = ::open("/dev/net/tun", O_RDWR | O_CLOEXEC);
   if (tun < 0) made.missing = std::string("no /dev/net/tun here: ") + std::strerror(errno);
   if (tun >= 0) ::close(tun);
@@ -118,6 +119,7 @@ int lines_in(const std::string& path) {
 
 const std::string& Namespaces::missing() { return made().missing; }
 std::string Namespaces::uxv() { return path_of(made().uxv); }
+std::string Namespaces::second_uxv() { return path_of(made().second_uxv); }
 std::string Namespaces::gcs() { return path_of(made().gcs); }
 
 UdpSocket::UdpSocket(const std::string& netns, const std::string& address, const std::string& peer)
@@ -184,31 +186,31 @@ bool delete_interface(const std::string& netns) {
   return ::waitpid(child, &status, 0) == child && status == 0;
 }
 
-Emulator::Emulator(const std::string& channel) {
+Emulator::Emulator(const std::string& channel, Vehicles vehicles) : vehicles_(vehicles) {
   write_file(file("channel.yaml"), channel);
   start();
 }
 
+std::vector<std::string> Emulator::words() const {
+  const bool two = vehicles_ == Vehicles::two;
+  const std::string start = two ? "{vehicle}_" : "";
+  std::vector<std::string> words{LINK_EMULATOR, "--channel", file("channel.yaml"), "--seed", "5"};
+  std::vector<std::string> ends{"uxv:" + Namespaces::uxv() + ":10.77.0.1/24",
+                                "gcs:" + Namespaces::gcs() + ":10.77.0.2/24"};
+  if (two) ends.push_back("uxv2:" + Namespaces::second_uxv() + ":10.77.0.3/24");
+  for (const std::string& end : ends) words.insert(words.end(), {"--end", end});
+  for (const char* const name : {"control", "stats", "wireless"}) {
+    words.insert(words.end(), {"--" + std::string(name), file(start + name)});
+  }
+  return words;
+}
+
 void Emulator::start() {
-  std::vector<std::string> words{LINK_EMULATOR,
-                                 "--channel",
-                                 file("channel.yaml"),
-                                 "--seed",
-                                 "5",
-                                 "--end",
-                                 "uxv:" + Namespaces::uxv() + ":10.77.0.1/24",
-                                 "--end",
-                                 "gcs:" + Namespaces::gcs() + ":10.77.0.2/24",
-                                 "--control",
-                                 file("control"),
-                                 "--stats",
-                                 file("stats"),
-                                 "--wireless",
-                                 file("wireless")};
+  std::vector<std::string> arguments = words();
   ::unlink(file("wireless").c_str());
   pid_ = ::fork();
   if (pid_ != 0) return;
-  ::execv(LINK_EMULATOR, argv_of(words).data());
+  ::execv(LINK_EMULATOR, argv_of(arguments).data());
   ::_exit(127);
 }
 
@@ -221,13 +223,16 @@ Emulator::~Emulator() {
 
 bool Emulator::ready() const {
   return within_five_seconds([this] {
-    return ::access(file("wireless").c_str(), F_OK) == 0 &&
-           interface_state(Namespaces::uxv()).carrier && interface_state(Namespaces::gcs()).carrier;
+    const bool two = vehicles_ == Vehicles::two;
+    return ::access(file(two ? "uxv2_wireless" : "wireless").c_str(), F_OK) == 0 &&
+           interface_state(Namespaces::uxv()).carrier &&
+           interface_state(Namespaces::gcs()).carrier &&
+           (!two || interface_state(Namespaces::second_uxv()).carrier);
   });
 }
 
-void Emulator::command(const std::string& text) const {
-  (void)DatagramSocket().send(file("control"), text);
+void Emulator::command(const std::string& text, const std::string& socket) const {
+  (void)DatagramSocket().send(file(socket), text);
 }
 
 void Emulator::signal(int number) const { ::kill(pid_, number); }

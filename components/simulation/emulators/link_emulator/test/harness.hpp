@@ -13,7 +13,7 @@
 
 namespace tocsin::link {
 
-/// Two network namespaces of this process; they vanish with it. With the environment variable
+/// Three network namespaces of this process; they vanish with it. With the environment variable
 /// TOCSIN_TEST_USERNS they lie in a user namespace of their own.
 class Namespaces {
  public:
@@ -21,6 +21,7 @@ class Namespaces {
   [[nodiscard]] static const std::string& missing();
   /// Paths for `--end`, valid in children too.
   [[nodiscard]] static std::string uxv();
+  [[nodiscard]] static std::string second_uxv();
   [[nodiscard]] static std::string gcs();
 };
 
@@ -54,11 +55,14 @@ struct InterfaceState {
 /// Deletes wlan0, as `ip link del` does. False when that fails.
 [[nodiscard]] bool delete_interface(const std::string& netns);
 
-/// The program under test, in a directory of its own.
+enum class Vehicles { one, two };
+
+/// The program under test, in a directory of its own. With two vehicles, `uxv` and `uxv2` at
+/// 10.77.0.3, the files of each begin with its name.
 class Emulator {
  public:
   /// Starts it; `channel` is the text of the channel file. Does not wait.
-  explicit Emulator(const std::string& channel);
+  explicit Emulator(const std::string& channel, Vehicles vehicles = Vehicles::one);
   ~Emulator();
   Emulator(const Emulator&) = delete;
   Emulator& operator=(const Emulator&) = delete;
@@ -66,7 +70,7 @@ class Emulator {
   void start();
   /// Until both interfaces carry and the files are there; false after 5 s.
   [[nodiscard]] bool ready() const;
-  void command(const std::string& text) const;
+  void command(const std::string& text, const std::string& socket = "control") const;
   void signal(int number) const;
   /// The exit code, or minus the signal that killed it.
   int wait();
@@ -77,7 +81,9 @@ class Emulator {
   [[nodiscard]] std::string file(const std::string& name) const;
 
  private:
+  [[nodiscard]] std::vector<std::string> words() const;
   const TemporaryFolder folder_;
+  const Vehicles vehicles_;
   pid_t pid_ = -1;
 };
 

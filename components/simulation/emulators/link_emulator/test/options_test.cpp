@@ -37,9 +37,11 @@ TEST(Options, ReadTheWholeCommandLine) {
   EXPECT_EQ(sut->channel_file, "c.yaml");
   EXPECT_EQ(sut->walls_file, "w.yaml");
   EXPECT_EQ(sut->seed, 7u);
-  EXPECT_EQ(sut->uxv.netns, "/proc/self/fd/7");
-  EXPECT_EQ(sut->uxv.address, "10.77.0.1");
-  EXPECT_EQ(sut->uxv.prefix, 24);
+  ASSERT_EQ(sut->vehicles.size(), 1u);
+  EXPECT_EQ(sut->vehicles[0].name, "uxv");
+  EXPECT_EQ(sut->vehicles[0].netns, "/proc/self/fd/7");
+  EXPECT_EQ(sut->vehicles[0].address, "10.77.0.1");
+  EXPECT_EQ(sut->vehicles[0].prefix, 24);
   EXPECT_EQ(sut->gcs.netns, "/a:b");
   EXPECT_EQ(sut->gcs.prefix, 16);
   EXPECT_EQ(sut->interface, "wlan0");
@@ -60,10 +62,24 @@ TEST(Options, RejectEndsThatAreNoEnds) {
   EXPECT_THAT(end_error("uxv"), HasSubstr("three parts"));
   EXPECT_THAT(end_error("uxv:10.0.0.1/24"), HasSubstr("three parts"));
   EXPECT_THAT(end_error("uxv::10.0.0.1/24"), HasSubstr("names no namespace"));
-  EXPECT_THAT(end_error("base:/a:10.0.0.1/24"), HasSubstr("neither uxv nor gcs"));
+  EXPECT_THAT(end_error("Uxv:/a:10.0.0.1/24"), HasSubstr("'Uxv' is not a lower-case letter"));
   EXPECT_THAT(end_error("gcs:/a:10.0.0.1/24"), HasSubstr("given twice"));
   EXPECT_THAT(end_error("uxv:/a:10.0.0.1"), HasSubstr("no prefix"));
   EXPECT_THAT(end_error("uxv:/a:10.0.0/24"), HasSubstr("'10.0.0' is not an IPv4 address"));
+}
+
+TEST(Options, TakeAnyNumberOfVehicles) {
+  const auto with = [](std::vector<const char*> more) {
+    more.insert(more.begin(), {"--channel", "c", "--end", "gcs:/b:10.0.0.2/24", "--end",
+                               "uxv1:/a:10.0.0.11/24", "--end", "uxv2:/c:10.0.0.12/24"});
+    return more;
+  };
+  const auto sut = parse(with({"--wireless", "/run/{vehicle}/wireless"}));
+  ASSERT_EQ(sut->vehicles.size(), 2u);
+  EXPECT_EQ(path_for(sut->wireless_path, sut->vehicles[1]), "/run/uxv2/wireless");
+  EXPECT_THAT(error_of(with({"--control", "/run/radio.sock"})),
+              HasSubstr("--control /run/radio.sock: needs {vehicle} in it, for 2 vehicles"));
+  EXPECT_THAT(error_of(with({"--end", "uxv1:/d:10.0.0.13/24"})), HasSubstr("uxv1 is given twice"));
 }
 
 TEST(Options, AcceptPrefixesFrom1To30) {

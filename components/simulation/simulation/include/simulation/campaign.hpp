@@ -20,9 +20,9 @@ struct SeedOutcome {
 };
 
 /// Runs a world with faults until the mission is over, at most `limits.recovers_s` after the
-/// last of them, and checks the promises. Throws as SimWorld does.
-[[nodiscard]] SeedOutcome run_checked(deployment::Deployment deployment, WorldOptions options,
-                                      const InvariantLimits& limits = {});
+/// last of them, and checks the promises, of several vehicles to each. Throws as SimWorld does.
+[[nodiscard]] SeedOutcome run_checked(const deployment::Deployment& deployment,
+                                      WorldOptions options, const InvariantLimits& limits = {});
 
 /// Whether every promise was kept. A text for people, one line per violation.
 [[nodiscard]] std::string to_text(const SeedOutcome& checked);

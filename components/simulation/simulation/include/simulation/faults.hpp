@@ -37,9 +37,9 @@ enum class FaultKind : std::uint8_t {
 /// One fault, at a time after the start of the run.
 struct Fault {
   FaultKind kind = FaultKind::loss;
-  double at_s = 0;   ///< [s] from 0
-  double for_s = 0;  ///< [s] more than 0
-  std::string target;
+  double at_s = 0;     ///< [s] from 0
+  double for_s = 0;    ///< [s] more than 0
+  std::string target;  ///< a process, or a host; of several vehicles the one, or empty: all of them
   double amount = 0;
 };
 
@@ -56,6 +56,7 @@ using FaultPlan = std::vector<Fault>;
 /// link_mapper runs, the access point is moved in every third, by 2 to 8 m: farther, and a vehicle
 /// may stand where it has no link ever again; where a modelled_localiser runs, it is stuck in every
 /// third.
+/// Of several vehicles each has faults of its own.
 /// These are drawn from numbers of their own: a kind that is added does not change what a seed
 /// draws of the others.
 [[nodiscard]] FaultPlan random_faults(std::uint64_t seed, const deployment::Deployment& deployment);

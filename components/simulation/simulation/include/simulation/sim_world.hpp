@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,8 +18,11 @@ namespace tocsin::simulation {
 /// How a simulated run ended.
 struct Outcome {
   Duration simulated{0};
-  /// Exit code of the process that the bringup file stops with; empty: the duration was over.
+  /// Highest exit code of the processes that the bringup file stops with; empty: the duration was
+  /// over.
   std::optional<int> exit_code;
+  /// Of those processes, by name, that have ended; with several vehicles there is one for each.
+  std::map<std::string, int> exit_codes = {};
   std::uint64_t samples = 0;  ///< written, on all topics of all hosts
   std::uint64_t packets = 0;  ///< pushed onto the radio
   std::uint64_t ticks = 0;    ///< of components
@@ -29,10 +33,13 @@ struct Outcome {
 struct WorldOptions {
   bool digest = true;
   Observer* observer = nullptr;  ///< outlives the world
+  /// In place of it one for each of several vehicles, in their order: what happens to it, and
+  /// between it and the station.
+  std::vector<Observer*> observers = {};
   /// Component libraries that are not built, such as recorder. What a live_view reads is no longer
   /// sent to it, which changes the traffic on the radio.
   std::vector<std::string> without;
-  /// False: the run goes on when the process of `stop_when_exits` has ended.
+  /// False: the run goes on when the processes of `stop_when_exits` have ended.
   bool ends_with_mission = true;
   FaultPlan faults;  ///< with crashes, components keep files for a restart in the run folder
 };
@@ -57,10 +64,10 @@ class SimWorld {
   SimWorld(const SimWorld&) = delete;
   SimWorld& operator=(const SimWorld&) = delete;
 
-  /// Runs until the process of `stop_when_exits` ends (unless the options say otherwise) or the
-  /// virtual clock has gone on by exactly `limit`.
-  /// May be called again after the limit. A component that throws is ticked no more, like in a
-  /// container; one that never comes to rest at one instant throws std::runtime_error.
+  /// Runs until the processes of `stop_when_exits` have ended (unless the options say otherwise) or
+  /// the virtual clock has gone on by exactly `limit`. May be called again after the limit. A
+  /// component that throws is ticked no more, like in a container; one that never comes to rest at
+  /// one instant throws std::runtime_error.
   Outcome run(Duration limit);
 
  private:

@@ -40,7 +40,8 @@ std::string store_folder(const deployment::RunningHost& host) {
       if (folder.IsDefined() && !folder.Scalar().empty()) return folder.Scalar();
     }
   }
-  return host.deployment.run_dir + "/" + to_string(host.itself().role) + "/store";
+  return part_of(host.deployment, host.host).run_dir + "/" + to_string(host.itself().role) +
+         "/store";
 }
 
 std::vector<std::string> folders_in(const std::string& store) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
+#include <filesystem>
 #include <map>
 
 #include "build_graph.hpp"
@@ -85,6 +86,38 @@ void examine_files(const deployment::Deployment& deployment, BuiltGraph& built) 
   }
 }
 
+/// Adds what is not there yet: what serves all vehicles is in the part of each.
+void add_new(const BuiltGraph& part, BuiltGraph& all) {
+  for (const Node& node : part.graph) {
+    const auto is_it = [&](const Node& one) { return one.path() == node.path(); };
+    if (std::none_of(all.graph.begin(), all.graph.end(), is_it)) all.graph.push_back(node);
+  }
+  for (const Finding& finding : part.findings) {
+    const auto is_it = [&](const Finding& one) { return one.text == finding.text; };
+    const auto& known = all.findings;
+    if (std::none_of(known.begin(), known.end(), is_it)) all.findings.push_back(finding);
+  }
+}
+
+/// What holds between a vehicle and its station, of several for each.
+BuiltGraph examine_parts(const deployment::Deployment& deployment) {
+  const auto parts = parts_of(deployment);
+  std::vector<BuiltGraph> graphs;  // all, before names_of_topics() makes more topics known
+  for (const deployment::Deployment& part : parts) {
+    std::filesystem::create_directories(part.run_dir);
+    graphs.push_back(build_graph(part));
+  }
+  BuiltGraph all;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    BuiltGraph& built = graphs[i];
+    examine_files(parts[i], built);
+    const auto routers = examine_routers(parts[i], built.graph);
+    built.findings.insert(built.findings.end(), routers.begin(), routers.end());
+    add_new(built, all);
+  }
+  return all;
+}
+
 std::size_t print(const std::vector<Finding>& findings, Severity severity, const char* word) {
   std::size_t count = 0;
   for (const Finding& finding : findings) {
@@ -101,11 +134,10 @@ int check(Options& options) {
   options.bringup.overrides.run_dir = folder.path();
   options.bringup.overrides.installed = installed_component_names();
   const auto deployment = load_deployment(options.bringup.file, options.bringup.overrides);
-  BuiltGraph built = build_graph(deployment);
-  examine_files(deployment, built);
-  for (const auto& found : {examine_domains(deployment), examine_routers(deployment, built.graph),
-                            examine_programs(deployment, program_folders()),
-                            examine_security(deployment, std::time(nullptr))}) {
+  BuiltGraph built = examine_parts(deployment);
+  for (const auto& found :
+       {examine_domains(deployment), examine_programs(deployment, program_folders()),
+        examine_security(deployment, std::time(nullptr))}) {
     built.findings.insert(built.findings.end(), found.begin(), found.end());
   }
   const std::size_t errors = print(built.findings, Severity::error, "error");

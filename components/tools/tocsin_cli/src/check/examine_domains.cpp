@@ -21,7 +21,9 @@ bool is_ephemeral(int domain) {
 std::vector<Finding> examine_domains(const deployment::Deployment& deployment) {
   std::map<int, std::string> users;
   for (const deployment::Host& host : deployment.hosts) users[host.local_domain] = host.name;
-  users.emplace(deployment.link_domain, "the link");
+  for (const deployment::Deployment& part : parts_of(deployment)) {
+    users.emplace(part.link_domain, "the link");
+  }
   std::vector<Finding> findings;
   for (const auto& [domain, user] : users) {
     if (!is_ephemeral(domain)) continue;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "examine_programs.hpp"
 
+#include <numeric>
 #include <utility>
 
 #include "command_line/launch_plan.hpp"
@@ -15,7 +16,9 @@ std::vector<ProcessSpec> plan(const deployment::Deployment& deployment, const Fo
   std::vector<ProcessSpec> specs = plan_processes(deployment, {}, folders);
   // There are no namespaces yet; the descriptors only have to be numbers.
   if (!deployment.radio) return specs;
-  for (ProcessSpec& one : plan_radios(deployment, {0, 1}, folders)) {
+  std::vector<int> descriptors(deployment.hosts.size());
+  std::iota(descriptors.begin(), descriptors.end(), 0);
+  for (ProcessSpec& one : plan_radios(deployment, descriptors, folders)) {
     specs.push_back(std::move(one));
   }
   return specs;

@@ -32,7 +32,7 @@ Topics missing(const Topics& wanted, const Topics& allowed) {
 void examine_permissions(const Deployment& deployment, const Host& host,
                          std::vector<Finding>& findings) {
   const auto allowed = keystore::read_enclave(enclave_of(deployment, host)).permissions;
-  const auto wanted = link_permissions({host.role, deployment.traffic, deployment.ros_namespace});
+  const auto wanted = link_permissions({host.role, deployment.traffic});
   const auto note = [&](const char* what, const Topics& topics) {
     if (topics.empty()) return;
     findings.push_back(

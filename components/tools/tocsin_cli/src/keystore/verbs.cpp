@@ -21,7 +21,7 @@ Role role_of_identity(const Options& options) {
 }
 
 keystore::Permissions permissions_of(const Options& options) {
-  return link_permissions({role_of_identity(options), options.traffic_file, options.ros_namespace});
+  return link_permissions({role_of_identity(options), options.traffic_file});
 }
 
 std::string allowed_text(const keystore::Permissions& permissions) {
@@ -103,7 +103,6 @@ void declare_identity(CLI::App& verb, Options& options) {
   verb.add_option("--traffic", options.traffic_file,
                   "which topics cross the link; else the shipped traffic.yaml")
       ->check(CLI::ExistingFile);
-  verb.add_option("--namespace", options.ros_namespace, "ROS namespace of its topics");
 }
 
 }  // namespace

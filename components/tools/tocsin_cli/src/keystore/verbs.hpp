@@ -15,10 +15,9 @@ namespace tocsin::keystore_tool {
 
 struct Options {
   std::string folder = "keystore";
-  std::string name;           ///< of an identity
-  std::optional<Role> role;   ///< empty: by the name
-  std::string traffic_file;   ///< empty: the shipped one
-  std::string ros_namespace;  ///< empty: none
+  std::string name;          ///< of an identity
+  std::optional<Role> role;  ///< empty: by the name
+  std::string traffic_file;  ///< empty: the shipped one
   int days = 3650;
 };
 

@@ -14,8 +14,12 @@ std::string domains_line(const deployment::Deployment& deployment) {
     hosts.push_back(std::to_string(host.local_domain) + " on " + host.name);
     routed = routed || deployment::is_routed(host);
   }
-  const std::string link = "; the link has " + std::to_string(deployment.link_domain);
-  return "ROS_DOMAIN_ID: " + joined(hosts, ", ") + (routed ? link : "");
+  std::vector<std::string> links;
+  for (const deployment::Deployment& part : parts_of(deployment)) {
+    links.push_back(std::to_string(part.link_domain));
+  }
+  const std::string link = links.size() == 1 ? "; the link has " : "; the links have ";
+  return "ROS_DOMAIN_ID: " + joined(hosts, ", ") + (routed ? link + joined(links) : "");
 }
 
 }  // namespace tocsin::cli

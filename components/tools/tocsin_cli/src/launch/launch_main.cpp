@@ -138,6 +138,7 @@ int launch(LaunchOptions& given) {
   listen_for(ports);
   const std::vector<HostNetwork> networks = make_networks(deployment);
   deployment::write_resolved(deployment, resolved);
+  deployment::write_parts(deployment);
   Signals signals;
   Journal journal(overrides.run_dir + "/log", !owns_terminal(deployment),
                   ::isatty(STDOUT_FILENO) == 1);

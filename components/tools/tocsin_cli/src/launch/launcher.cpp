@@ -174,9 +174,8 @@ void Launcher::on_exit(Process& process, const Ending& ending, Time now) {
   const std::string& name = process.spec().name;
   const std::string end = name + " ended with " + describe(ending);
   const std::string said = process.last_line().empty() ? "" : ": " + process.last_line();
-  if (name == deployment_.stop_when_exits && !ending.by_signal && ending.code <= 1) {
-    stop(ending.code, end + ", stopping" + (ending.code == 0 ? "" : said));
-    return;
+  if (ends_the_run(name) && !ending.by_signal && ending.code <= 1) {
+    return on_end_of_run(name, ending.code, end, ending.code == 0 ? "" : said);
   }
   const RestartDecision decision = process.judge(ending, now);
   switch (decision.kind) {
@@ -191,6 +190,21 @@ void Launcher::on_exit(Process& process, const Ending& ending, Time now) {
     case RestartDecision::Kind::too_often:
       stop(decision.exit_code, end + " too often, stopping" + said);
   }
+}
+
+bool Launcher::ends_the_run(const std::string& process) const {
+  const auto& all = deployment_.stop_when_exits;
+  return std::find(all.begin(), all.end(), process) != all.end();
+}
+
+/// Of several it is the last one, and the highest code counts.
+void Launcher::on_end_of_run(const std::string& process, int code, const std::string& end,
+                             const std::string& said) {
+  ended_.insert(process);
+  code_of_run_ = std::max(code_of_run_, code);
+  const std::size_t left = deployment_.stop_when_exits.size() - ended_.size();
+  if (left == 0) return stop(code_of_run_, end + ", stopping" + said);
+  journal_.say(end + said + "; " + std::to_string(left) + " to go");
 }
 
 void Launcher::advance(Time now) {

@@ -3,6 +3,7 @@
 
 #include <list>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,9 @@ class Launcher {
   void on_stop_signal(int number);
   void reap_all(Time now);
   void on_exit(Process& process, const Ending& ending, Time now);
+  [[nodiscard]] bool ends_the_run(const std::string& process) const;
+  void on_end_of_run(const std::string& process, int code, const std::string& end,
+                     const std::string& said);
   void advance(Time now);
   void wait_for_link(Time now);
   void continue_stop(Time now);
@@ -63,6 +67,8 @@ class Launcher {
   Process* ending_ = nullptr;  ///< the process that has been told to stop
   Time kill_at_ = never;
   int exit_code_ = 0;
+  std::set<std::string> ended_;  ///< of stop_when_exits
+  int code_of_run_ = 0;          ///< the highest of theirs
   DiskWatch disk_;
   Time next_look_{};
   bool had_no_room_ = false;  ///< for the list of processes

@@ -33,8 +33,7 @@ class ExamineSecurityTest : public ::testing::Test {
       host.role = role;
       host.containers.emplace_back().components.push_back({"link_router", "link_router", nullptr});
       deployment_.hosts.push_back(host);
-      keystore::add(deployment_.security, {host.name, link_permissions({role, traffic, ""})},
-                    now_s);
+      keystore::add(deployment_.security, {host.name, link_permissions({role, traffic})}, now_s);
     }
   }
   [[nodiscard]] std::vector<Finding> findings() const {
@@ -82,7 +81,7 @@ TEST_F(ExamineSecurityTest, WhatPeersWouldNotAcceptIsAnError) {
 }
 
 TEST_F(ExamineSecurityTest, ATopicThatThePermissionsLackIsAnErrorWithItsRemedy) {
-  auto less = link_permissions({Role::uxv, traffic, ""});
+  auto less = link_permissions({Role::uxv, traffic});
   less.publish.erase(std::find(less.publish.begin(), less.publish.end(), "rt/location"));
   keystore::permit(deployment_.security, "uxv", less);
   const auto found = findings();

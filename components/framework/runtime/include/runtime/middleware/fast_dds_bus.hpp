@@ -20,7 +20,7 @@ enum class GidSize { bytes_16, bytes_24 };
 struct BusOptions {
   std::string name;                      ///< participant name, shown by discovery tools
   Role role = Role::uxv;                 ///< which rules of traffic.yaml hold
-  std::string ros_namespace;             ///< of all topics; empty for none
+  std::string ros_namespace;             ///< of all topics on the host; empty for none
   std::string qos_file;                  ///< empty: the profiles that are built in
   std::string traffic_file;              ///< empty: any link topic may be written
   int host_domain = 0;                   ///< [0, 231] of topics that stay on this host
@@ -37,6 +37,9 @@ struct BusOptions {
   VehicleChain chain = VehicleChain::foreign;
   std::string second_address = "";             ///< of a second path over the link; empty: none
   std::vector<std::string> second_peers = {};  ///< IPv4 of the other sides by it, in the same order
+  /// Of a router: names of the hosts that its link is to, on a secured link of their identities.
+  /// Nothing is taken of others. Empty: whoever comes.
+  std::vector<std::string> peer_names = {};
 };
 
 /// The bus on Fast DDS in real time. All topics stay on the host, where any participant with the

@@ -29,8 +29,7 @@ inline constexpr const char* link_services_topic = "link_services";
 /// Whose permissions on a secured link are meant.
 struct LinkSide {
   Role role = Role::uxv;
-  std::string traffic_file;   ///< which topics cross the link, from which side
-  std::string ros_namespace;  ///< of all topics; empty for none
+  std::string traffic_file;  ///< which topics cross the link, from which side
 };
 
 /// What a router of this side needs: it publishes what its role sends, hears what the other sends,

@@ -32,9 +32,11 @@ struct ChannelParams {
   double frequency_mhz = 2437;
   double noise_dbm = -94;
   double snr_offset_db = 0;
+  std::string data_rate = "adaptive";
   int attempts = 7;
   bool access_categories = false;
   int queue_frames = 100;
+  double frame_lifetime_s = 0;
   double wire_delay_s = 0.0003;
   double background_load = 0;
   int background_stations = 3;
@@ -97,10 +99,14 @@ struct ChannelParams {
 
   template <class Visitor>
   void visit_mac(Visitor& v) {
+    v("data_rate", data_rate, {"adaptive", "6", "9", "12", "18", "24", "36", "48", "54"},
+      "[Mbit/s] of unicast frames; adaptive: what the rate control chooses for each attempt");
     v("attempts", attempts, {1, 31}, "[1] transmissions of a unicast frame before it is given up");
     v("access_categories", access_categories,
       "whether urgent packets go first: 802.11e queues of voice, video, best effort, background");
     v("queue_frames", queue_frames, {1, 100000}, "[1] frames per queue, then tail drop");
+    v("frame_lifetime_s", frame_lifetime_s, {0, 100},
+      "[s] a frame that has waited longer is given up (dot11EDCATableMSDULifetime); 0: never");
     v("wire_delay_s", wire_delay_s, {0, 10}, "[s] one way between access point and ground station");
     v("background_load", background_load, {0, 0.95}, "[1] share of time taken by other stations");
     v("background_stations", background_stations, {1, 100}, "[1] stations that make that load");

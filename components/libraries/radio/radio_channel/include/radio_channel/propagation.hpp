@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -15,13 +16,17 @@ namespace tocsin::radio {
 /// What is drawn of a radio by itself has this seed: that of the site for its first one.
 [[nodiscard]] std::uint64_t own_seed(const ChannelParams& params, std::uint64_t site);
 
+/// What is drawn for one vehicle has this seed: that of the radio for the first one.
+[[nodiscard]] std::uint64_t vehicle_seed(std::uint64_t radio, std::size_t vehicle);
+
 /// Received power over position and time: log distance, walls, shadowing, fading. The same in both
 /// directions (reciprocal channel, equal transmit powers).
 class Propagation {
  public:
-  /// `seed` of the site: see own_seed(). `start` is time zero of the fading.
+  /// `seed` of the site: see own_seed(). `start` is time zero of the fading. Vehicles at one place
+  /// have the same shadowing there, and fading of their own.
   Propagation(const ChannelParams& params, std::vector<geometry::Wall> walls, std::uint64_t seed,
-              Time start);
+              Time start, std::size_t vehicle = 0);
 
   /// Moves the station, in metres in the map frame. A position that is not finite or
   /// beyond 1000 km is ignored.

@@ -8,6 +8,7 @@
 
 #include "command_line/programs.hpp"
 #include "foundation/error.hpp"
+#include "foundation/joined.hpp"
 #include "operator_console/emergency_stop_order.hpp"
 
 namespace tocsin {
@@ -15,11 +16,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-BusOptions bus_of(const deployment::Deployment& deployment, const deployment::Host& host) {
+/// `vehicle`: of several that the host serves; empty: it serves none by name.
+BusOptions bus_of(const deployment::Deployment& whole, const std::string& host_name,
+                  const std::string& vehicle) {
+  const auto deployment = part_of(whole, vehicle.empty() ? host_name : vehicle);
+  const deployment::Host& host = *find_host(deployment, host_name);
+  deployment::Container place;
+  place.vehicle = vehicle;
   BusOptions bus;
   bus.name = EmergencyStopOrder::process;
   bus.role = host.role;
-  bus.ros_namespace = deployment.ros_namespace;
+  bus.ros_namespace = namespace_of(deployment, place);
   bus.host_domain = host.local_domain;
   bus.link_domain = deployment.link_domain;
   bus.link_address = host.address;
@@ -60,18 +67,30 @@ EstopTarget target_of(const EstopOptions& options) {
   return {"", std::nullopt, std::move(bus), has_link};
 }
 
-EstopTarget target_of(const deployment::RunningHost& running) {
-  return {running.deployment.run_dir, running.process,
-          bus_of(running.deployment, running.itself())};
+/// One for each vehicle of the station.
+std::vector<EstopTarget> targets_of(const EstopOptions& options,
+                                    const deployment::RunningHost& running) {
+  std::vector<EstopTarget> targets;
+  for (const std::string& vehicle : vehicles_of(options.join, running.deployment, running.host)) {
+    targets.push_back({running.deployment.run_dir + (vehicle.empty() ? "" : " " + vehicle),
+                       running.process, bus_of(running.deployment, running.host, vehicle)});
+  }
+  return targets;
 }
 
 /// Who lets vehicles drive again says which.
-void refuse_several(const std::vector<deployment::RunningHost>& stations) {
-  if (stations.size() < 2) return;
-  std::string names;
-  for (const auto& one : stations) names += " --run-dir " + one.deployment.run_dir + ",";
-  throw ConfigError("several stations run here, and off lets a vehicle drive: choose" + names +
-                    " or --all");
+void refuse_several(const EstopOptions& options,
+                    const std::vector<deployment::RunningHost>& stations) {
+  std::vector<std::string> choice;
+  for (const auto& one : stations) {
+    for (const std::string& vehicle : vehicles_of(options.join, one.deployment, one.host)) {
+      choice.push_back("--run-dir " + one.deployment.run_dir +
+                       (vehicle.empty() ? "" : " --vehicle " + vehicle));
+    }
+  }
+  if (choice.size() < 2) return;
+  throw ConfigError("several vehicles are meant, and off lets a vehicle drive: choose " +
+                    joined(choice) + ", or --all");
 }
 
 /// Folders of runs, newest first: they are named by their time.
@@ -83,38 +102,45 @@ std::vector<fs::path> runs_here() {
   return folders;
 }
 
-/// A station that does not run any more, but whose file still tells how its vehicle is reached.
+/// A station that does not run any more, but whose file still tells how its vehicles are reached.
 /// An emulated radio ends with its launcher.
-std::optional<EstopTarget> target_of_file(const fs::path& run, const std::string& name) {
+std::vector<EstopTarget> targets_of_file(const EstopOptions& options, const fs::path& run) {
+  std::vector<EstopTarget> targets;
+  const std::string& name = options.join.host;
   try {
     const auto deployment = deployment::load_resolved(run / "deployment.yaml");
     for (const deployment::Host& host : deployment.hosts) {
       const bool is_it = host.name == name || role_of(name) == host.role;
       if (!is_it || deployment.radio) continue;
-      BusOptions bus = bus_of(deployment, host);
       const bool routed = deployment::is_routed(host);
-      if (routed) bus.traffic_file = deployment.traffic;
-      return EstopTarget{run.string() + ", which does not run", std::nullopt, bus, routed};
+      for (const std::string& vehicle : vehicles_of(options.join, deployment, host.name)) {
+        BusOptions bus = bus_of(deployment, host.name, vehicle);
+        if (routed) bus.traffic_file = deployment.traffic;
+        const std::string of = vehicle.empty() ? "" : " " + vehicle;
+        targets.push_back({run.string() + of + ", which does not run", std::nullopt, bus, routed});
+      }
+      return targets;
     }
   } catch (const ConfigError&) {  // holds no run, or cannot be read
   }
-  return std::nullopt;
+  return targets;
 }
 
-std::optional<EstopTarget> target_that_ran(const EstopOptions& options) {
+std::vector<EstopTarget> targets_that_ran(const EstopOptions& options) {
   const JoinOptions& join = options.join;
-  if (!join.run_dir.empty()) return target_of_file(join.run_dir, join.host);
+  if (!join.run_dir.empty()) return targets_of_file(options, join.run_dir);
   for (const fs::path& run : runs_here()) {
-    if (auto target = target_of_file(run, join.host)) return target;
+    auto targets = targets_of_file(options, run);
+    if (!targets.empty()) return targets;
   }
-  return std::nullopt;
+  return {};
 }
 
 }  // namespace
 
 void EstopOptions::declare(CLI::App& app) {
   join.declare(app, "on, status: each that runs here; off: the only one that does");
-  app.add_flag("--all", all, "with off: the stops of all stations that run here");
+  app.add_flag("--all", all, "with off: the stops of all vehicles of all stations that run here");
   app.add_option("--domain", domain, "DDS domain of the station's host, in place of a run")
       ->check(CLI::Range(0, 231));
   app.add_option("--link-domain", link_domain,
@@ -135,18 +161,19 @@ std::vector<EstopTarget> find_targets(const EstopOptions& options, Among among,
   if (names_domains(options)) return {target_of(options)};
   std::vector<EstopTarget> targets;
   const auto stations = hosts_to_join(options.join, running);
-  if (among == Among::only_one && !options.all) refuse_several(stations);
-  for (const auto& one : stations) targets.push_back(target_of(one));
+  if (among == Among::only_one && !options.all) refuse_several(options, stations);
+  for (const auto& one : stations) {
+    for (EstopTarget& target : targets_of(options, one)) targets.push_back(std::move(target));
+  }
   if (!targets.empty()) return targets;
   try {
-    targets.push_back(target_of(host_to_join(options.join, std::move(running))));
+    return targets_of(options, host_to_join(options.join, std::move(running)));
   } catch (const EnvironmentError& nothing_runs) {
-    auto ran = target_that_ran(options);
-    if (!ran) {
+    targets = targets_that_ran(options);
+    if (targets.empty()) {
       throw EnvironmentError(std::string(nothing_runs.what()) +
                              "; --link-domain, --address and --peer reach a vehicle all the same");
     }
-    targets.push_back(std::move(*ran));
   }
   return targets;
 }

@@ -38,10 +38,11 @@ struct EstopOptions {
 
 enum class Among { all, only_one };
 
-/// The stations that are meant: those that the options name, else those that run on this computer,
-/// else the one of the last run here, which can still reach the vehicle. Needs no file, except the
-/// last one. Throws EnvironmentError when there is none, ConfigError for options that do not fit
-/// together and, with `only_one`, when several run and the options choose neither one nor all.
+/// The vehicles that are meant, each at its station: those that the options name, else those whose
+/// stations run on this computer, else those of the last run here, which can still reach the
+/// vehicle. Needs no file, except the last one. Throws EnvironmentError when there is none,
+/// ConfigError for options that do not fit together and, with `only_one`, when several run and the
+/// options choose neither one nor all.
 [[nodiscard]] std::vector<EstopTarget> find_targets(const EstopOptions& options, Among among,
                                                     deployment::RunningHosts running);
 

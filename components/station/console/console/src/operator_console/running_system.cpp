@@ -16,6 +16,8 @@
 #include "deployment/resolved_copy.hpp"
 #include "foundation/child_process.hpp"
 #include "foundation/error.hpp"
+#include "foundation/joined.hpp"
+#include "foundation/printable.hpp"
 #include "foundation/role.hpp"
 #include "foundation/yaml_file.hpp"
 
@@ -56,6 +58,22 @@ bool is_wanted(const deployment::RunningHost& host, const JoinOptions& options) 
 void JoinOptions::declare(CLI::App& app, const std::string& without) {
   app.add_option("--run-dir", run_dir, "folder of the run to join [" + without + "]");
   add_host_option(app, host, "side of the link to join")->capture_default_str();
+  app.add_option("--vehicle", vehicle, "name of the vehicle, where the station has several");
+}
+
+std::vector<std::string> vehicles_of(const JoinOptions& options,
+                                     const deployment::Deployment& deployment,
+                                     const std::string& host) {
+  const auto& all = deployment.vehicles;
+  const bool is_vehicle = std::find(all.begin(), all.end(), host) != all.end();
+  const bool is_known = std::find(all.begin(), all.end(), options.vehicle) != all.end();
+  if (!options.vehicle.empty() && (!is_known || (is_vehicle && host != options.vehicle))) {
+    throw ConfigError("--vehicle " + printable(options.vehicle) + ": host " + host +
+                      (all.empty() || is_vehicle ? " serves none by name"
+                                                 : " serves one of: [" + joined(all) + "]"));
+  }
+  if (all.empty() || is_vehicle) return {""};
+  return options.vehicle.empty() ? all : std::vector<std::string>{options.vehicle};
 }
 
 std::vector<deployment::RunningHost> hosts_to_join(const JoinOptions& options,
@@ -78,17 +96,21 @@ deployment::RunningHost host_to_join(const JoinOptions& options, deployment::Run
   }
   if (found.size() == 1) return std::move(found.front());
   std::string names;
-  for (const auto& one : found) names += " --run-dir " + one.deployment.run_dir;
-  throw ConfigError("several runs have a host " + options.host + "; choose one of:" + names);
+  for (const auto& one : found) {
+    names += " --run-dir " + one.deployment.run_dir + " --host " + one.host + ",";
+  }
+  names.pop_back();
+  throw ConfigError("several hosts are " + options.host + "; choose one of:" + names);
 }
 
 deployment::Deployment with_guest(deployment::Deployment deployment, const std::string& host,
-                                  const Guest& guest) {
+                                  const Guest& guest, const std::string& vehicle) {
   const auto found = std::find_if(deployment.hosts.begin(), deployment.hosts.end(),
                                   [&](const auto& one) { return one.name == host; });
   for (deployment::Container& other : found->containers) other.terminal = false;
   deployment::Container container;
   container.name = guest_name();
+  container.vehicle = vehicle;
   container.components.push_back(
       {guest.component, guest.component + "_operator", parameters_of(guest, deployment.sources)});
   found->containers.push_back(std::move(container));
@@ -97,12 +119,18 @@ deployment::Deployment with_guest(deployment::Deployment deployment, const std::
 
 int run_guest(const JoinOptions& options, const Guest& guest) {
   const auto running = host_to_join(options, deployment::running_hosts());
-  const deployment::ResolvedCopy joined(with_guest(running.deployment, running.host, guest));
+  const auto vehicles = vehicles_of(options, running.deployment, running.host);
+  if (vehicles.size() > 1) {
+    throw ConfigError("the station has several vehicles; choose --vehicle " +
+                      joined(vehicles, " or "));
+  }
+  const deployment::ResolvedCopy copy(
+      with_guest(running.deployment, running.host, guest, vehicles.front()));
   const auto container = find_program("tocsin-container", program_folders());
   if (!container) throw EnvironmentError("tocsin-container is not installed");
   deployment::enter_namespaces(running.process);
   return run_and_wait(
-      {container->string(), running.deployment.file, running.host, guest_name(), joined.path()});
+      {container->string(), running.deployment.file, running.host, guest_name(), copy.path()});
 }
 
 }  // namespace tocsin

@@ -88,6 +88,30 @@ TEST_F(EstopTargetTest, AStopGoesToAllStationsThatRunAndAReleaseToOneOrToAllThat
   }
 }
 
+TEST_F(EstopTargetTest, AStopGoesToEachVehicleOfAStationAndAReleaseToOneOrToAllThatAreMeant) {
+  deployment::Deployment fleet = run("/a");
+  fleet.vehicles = {"uxv1", "uxv2"};
+  fleet.hosts[0].peers = {"10.0.0.1", "10.0.0.3"};
+  deployment::RunningHosts stations;
+  stations.hosts.push_back({fleet, "desk", 77});
+  const auto all = find_targets(options_, Among::all, stations);
+  EXPECT_THAT(names(all), ElementsAre("/a uxv1", "/a uxv2"));
+  EXPECT_EQ(all[1].bus.ros_namespace, "robot/uxv2");
+  EXPECT_THAT(all[1].bus.link_peers, ElementsAre("10.0.0.3"));
+  EXPECT_EQ(all[1].bus.link_domain, 3);
+  EXPECT_THAT([&] { (void)find_targets(options_, Among::only_one, stations); },
+              Throws<ConfigError>(Property(
+                  &ConfigError::what,
+                  HasSubstr("choose --run-dir /a --vehicle uxv1, --run-dir /a --vehicle uxv2"))));
+  options_.join.vehicle = "uxv2";
+  EXPECT_THAT(names(find_targets(options_, Among::only_one, stations)), ElementsAre("/a uxv2"));
+  options_.join.vehicle = "uxv3";
+  EXPECT_THAT(
+      [&] { (void)find_targets(options_, Among::all, stations); },
+      Throws<ConfigError>(Property(
+          &ConfigError::what, HasSubstr("--vehicle uxv3: host desk serves one of: [uxv1, uxv2]"))));
+}
+
 TEST_F(EstopTargetTest, IsTheLastOneHereWhenNoneRuns) {
   for (const char* name : {"runs/1", "runs/2"}) {
     fs::create_directories(folder_.path(name));

@@ -61,8 +61,8 @@ TEST_F(RunningSystemTest, ChoosesAmongSeveralByTheirFolder) {
       [&] {
         (void)host_to_join({"", "gcs"}, running({"/a", "/b"}));
       },
-      Throws<ConfigError>(
-          Property(&ConfigError::what, HasSubstr("one of: --run-dir /a --run-dir /b"))));
+      Throws<ConfigError>(Property(
+          &ConfigError::what, HasSubstr("one of: --run-dir /a --host station, --run-dir /b"))));
 }
 
 TEST_F(RunningSystemTest, SaysWhenNothingRunsOrCannotBeLookedInto) {

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "section.hpp"
+
+namespace tocsin::deployment {
+
+/// One of `vehicles` of a bringup file.
+struct VehicleEntry {
+  std::string name;
+  std::string address;                 ///< IPv4, on the link
+  std::vector<std::string> variables;  ///< names of its own
+};
+
+/// Empty when the file has no `vehicles`. Throws ConfigError.
+[[nodiscard]] std::vector<VehicleEntry> read_vehicles(const YAML::Node& root,
+                                                      const YamlSources& sources);
+
+/// The texts of a map `variables`, empty when it is absent. Throws ConfigError for a name that
+/// means something already.
+[[nodiscard]] Variables read_variables(const Section& section, const YamlSources& sources);
+
+/// The name of the one host that is a vehicle, which all `vehicles` are like. Throws ConfigError
+/// when there is none, or another one.
+[[nodiscard]] std::string vehicle_host(const YAML::Node& root, const YamlSources& sources);
+
+/// Leaves of a file with `vehicles` what is there once: without the host of vehicle_host and the
+/// containers that are `each_vehicle`.
+void keep_common(const YAML::Node& root, const YamlSources& sources);
+
+/// Leaves of it what is there for each vehicle: that host, and those containers of the others.
+void keep_own(const YAML::Node& root, const YamlSources& sources);
+
+}  // namespace tocsin::deployment
