@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <optional>
 #include <set>
@@ -52,9 +53,16 @@ class FleetTest : public ::testing::Test {
     const auto all = states(vehicle);
     return !all.empty() && all.back() == "done";
   }
+  /// By its last two locations, 0.2 s apart.
   [[nodiscard]] bool drives(const std::string& vehicle) const {
-    const auto speeds = column(stack_->recorded(vehicle + "/uxv", "odom"), "twist.twist.linear.x");
-    return !speeds.empty() && std::stod(speeds.back()) > 0.05;
+    const std::string all = stack_->recorded(vehicle + "/uxv", "location");
+    const auto x = column(all, "pose.pose.position.x");
+    const auto y = column(all, "pose.pose.position.y");
+    if (x.size() < 2 || y.size() != x.size()) return false;
+    const auto step = [](const std::vector<std::string>& values) {
+      return std::stod(values.back()) - std::stod(values[values.size() - 2]);
+    };
+    return std::hypot(step(x), step(y)) > 0.02;
   }
   [[nodiscard]] std::set<std::string> places(const std::string& side) const {
     const auto all = column(stack_->recorded(side, "location"), "pose.pose.position.x");
@@ -66,7 +74,7 @@ class FleetTest : public ::testing::Test {
 };
 
 TEST_F(FleetTest, EachDrivesItsMissionAndTheRunEndsWithTheLast) {
-  launch(24);
+  launch(16);
   ASSERT_EQ(stack_->exit_code(seconds(180)), 0) << stack_->output();
   EXPECT_THAT(stack_->output(), HasSubstr("; 1 to go"));
   for (const std::string vehicle : {"uxv1", "uxv3"}) {
@@ -81,7 +89,7 @@ TEST_F(FleetTest, EachDrivesItsMissionAndTheRunEndsWithTheLast) {
 }
 
 TEST_F(FleetTest, AStopIsForTheVehicleThatItNames) {
-  launch(60);
+  launch(32);
   ASSERT_TRUE(Stack::eventually(seconds(60), [&] { return drives("uxv1") && drives("uxv3"); }))
       << stack_->output();
   ASSERT_EQ(estop("on --vehicle uxv1").code, 0);
@@ -95,6 +103,35 @@ TEST_F(FleetTest, AStopIsForTheVehicleThatItNames) {
   EXPECT_FALSE(drives("uxv1"));
   ASSERT_EQ(estop("off --vehicle uxv1").code, 0);
   EXPECT_EQ(stack_->exit_code(seconds(120)), 0) << stack_->output();
+}
+
+/// As on three computers, which share the loopback.
+TEST_F(FleetTest, HostsThatAreLaunchedAloneMeet) {
+  files_.write("mission.yaml", mission(16));
+  const std::string fleet = files_.write(
+      "fleet.yaml",
+      "extends: fleet.yaml\ndomain: 90\nvariables: {mission: ./mission.yaml}\nvehicles:\n"
+      "  uxv1: {address: 127.0.0.1}\n  uxv2: ~\n"
+      "  uxv3: {address: 127.0.0.1, variables: {mission: ./mission.yaml}}\n"
+      "  uxv4: ~\n  uxv5: ~\n"
+      "hosts: {uxv: {peers: [127.0.0.1]}, gcs: {address: 127.0.0.1}}\n");
+  const auto alone = [&](const char* host) {
+    return std::vector<std::string>{fleet,  "--host",    host,    "--without",
+                                    "page", "--without", "camera"};
+  };
+  const Stack first(alone("uxv1"));
+  const Stack second(alone("uxv3"));
+  Stack station({fleet, "--host", "gcs", "--without", "page"});
+  EXPECT_EQ(station.exit_code(seconds(120)), 0) << station.output();
+  for (const std::string vehicle : {"uxv1", "uxv3"}) {
+    const Stack& its = vehicle == "uxv1" ? first : second;
+    const auto own = column(its.recorded(vehicle + "/uxv", "location"), "pose.pose.position.x");
+    const auto heard =
+        column(station.recorded(vehicle + "/gcs", "location"), "pose.pose.position.x");
+    EXPECT_THAT(heard, Not(IsEmpty())) << vehicle;
+    const std::set<std::string> places(own.begin(), own.end());
+    for (const std::string& place : heard) EXPECT_EQ(places.count(place), 1u) << vehicle;
+  }
 }
 
 }  // namespace

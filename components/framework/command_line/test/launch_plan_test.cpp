@@ -10,6 +10,7 @@
 namespace tocsin {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 

@@ -239,7 +239,6 @@ void keep_host(const std::string& name, Deployment& deployment) {
   }
   auto& hosts = deployment.hosts;
   hosts = {*find_host(deployment, name)};
-  deployment.radio.reset();
   keep_own_ends(deployment);
 }
 
@@ -288,6 +287,7 @@ Deployment load_deployment(const std::string& path, const Overrides& overrides) 
   deployment.file = path;
   BringupReader reader(path, overrides, deployment);
   reader.read();
+  if (!overrides.host.empty()) deployment.radio.reset();  // its link is a real one
   if (!overrides.installed.empty()) check_installed(deployment, overrides.installed);
   deployment.run_dir = overrides.run_dir;
   deployment.share = overrides.share;

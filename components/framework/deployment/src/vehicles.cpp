@@ -11,8 +11,8 @@ namespace tocsin::deployment {
 namespace {
 
 bool is_for_each(const YAML::Node& container) {
-  return container.IsMap() && container["each_vehicle"] && container["each_vehicle"].IsScalar() &&
-         container["each_vehicle"].Scalar() == "true";
+  return container.IsMap() && container["each_vehicle"] &&
+         container["each_vehicle"].as<bool>(false);
 }
 
 /// Leaves the containers of a host that are for each vehicle, or the others. What is no list is

@@ -32,7 +32,7 @@ sample_log::LogStart LogWish::start(std::int64_t wall_ns) const {
   return {From::time, static_cast<std::uint64_t>(std::max<std::int64_t>(wall_ns - ago_ns, 0))};
 }
 
-std::string store_folder(const deployment::RunningHost& host) {
+std::string store_folder(const deployment::RunningHost& host, const std::string& vehicle) {
   for (const auto& container : host.itself().containers) {
     for (const auto& component : container.components) {
       if (component.component != "link_router") continue;
@@ -40,8 +40,8 @@ std::string store_folder(const deployment::RunningHost& host) {
       if (folder.IsDefined() && !folder.Scalar().empty()) return folder.Scalar();
     }
   }
-  return part_of(host.deployment, host.host).run_dir + "/" + to_string(host.itself().role) +
-         "/store";
+  return part_of(host.deployment, vehicle.empty() ? host.host : vehicle).run_dir + "/" +
+         to_string(host.itself().role) + "/store";
 }
 
 std::vector<std::string> folders_in(const std::string& store) {

@@ -30,8 +30,10 @@ struct LogWish {
   [[nodiscard]] sample_log::LogStart start(std::int64_t wall_ns) const;
 };
 
-/// The folder of the router's stored topics on a host.
-[[nodiscard]] std::string store_folder(const deployment::RunningHost& host);
+/// The folder of the router's stored topics on a host. `vehicle`: whose router at a station that
+/// serves several.
+[[nodiscard]] std::string store_folder(const deployment::RunningHost& host,
+                                       const std::string& vehicle = "");
 /// The logs in that folder: of stored topics, and the history of logged and kept ones.
 [[nodiscard]] std::vector<std::string> folders_in(const std::string& store);
 /// The first of the folders whose log has samples of the topic, with its slash. Waits for one at

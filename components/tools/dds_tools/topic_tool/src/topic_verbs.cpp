@@ -66,7 +66,7 @@ namespace {
 std::vector<std::string> log_folders(const Options& options) {
   if (!options.log.folder.empty()) return folders_in(options.log.folder);
   const auto host = chosen_host(options.host);
-  if (host != nullptr) return folders_in(store_folder(*host));
+  if (host != nullptr) return folders_in(store_folder(*host, options.host.ros_namespace));
   throw EnvironmentError("nothing runs here whose log could be read: name it with --log");
 }
 

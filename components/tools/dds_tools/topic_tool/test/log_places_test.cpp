@@ -59,6 +59,11 @@ deployment::RunningHost host_with(const std::string& parameters) {
 TEST(StoreFolder, IsTheRoutersOrThatOfTheRun) {
   EXPECT_EQ(store_folder(host_with("{store_directory: /var/lib/log}")), "/var/lib/log");
   EXPECT_EQ(store_folder(host_with("{}")), "/runs/1/uxv/store");
+  deployment::RunningHost station = host_with("{}");
+  station.deployment.vehicles = {"uxv1", "uxv2"};
+  station.deployment.hosts[0].peers = {"10.0.0.1", "10.0.0.2"};
+  station.deployment.hosts[0].role = Role::gcs;
+  EXPECT_EQ(store_folder(station, "uxv2"), "/runs/1/uxv2/gcs/store");
 }
 
 TEST(FolderWith, IsTheFirstWhoseLogHasTheTopic) {

@@ -34,8 +34,8 @@ Fetching::Fetching(HostGraph& graph, StateListener& states, const Request& reque
       waiting_(std::move(waiting)),
       fetch_(request),
       writer_(output, {mcap::Compression::zstd, 0, 0}),
-      request_(graph.write(
-          {wire_topic(topic::LogRequest::info.name), type_info<Request>().name, true, false})) {}
+      request_(graph.write({states.on_wire(topic::LogRequest::info.name), type_info<Request>().name,
+                            true, false})) {}
 
 bool Fetching::run() {
   Time end = never;
@@ -62,7 +62,7 @@ void Fetching::ask() {
 }
 
 void Fetching::look_for_writer() {
-  const std::string name = wire_topic(fetch_.request().topic() + "/backfilled");
+  const std::string name = states_.on_wire(fetch_.request().topic() + "/backfilled");
   const std::vector<GraphEnd> ends = graph_.ends();
   std::vector<const GraphEnd*> writers;
   for (const GraphEnd& end : ends) {

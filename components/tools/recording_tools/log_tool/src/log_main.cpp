@@ -63,16 +63,23 @@ void declare(CLI::App& app, Options& options) {
   fetch->add_option("-o,--output", options.output, "new folder of the bag [fetched_<time>]");
 }
 
-std::unique_ptr<HostGraph> open_graph(const Options& options) {
-  auto graph = make_host_graph(host_bus_options(options.host, "tocsin_log"));
+/// The graph of the host, and what its routers tell there.
+struct Routers {
+  std::unique_ptr<HostGraph> graph;
+  std::unique_ptr<StateListener> states;
+};
+
+Routers open(const Options& options) {
+  const BusOptions bus = host_bus_options(options.host, "tocsin_log");
+  Routers routers{make_host_graph(bus), nullptr};
   catch_stop_signals();
-  return graph;
+  routers.states = std::make_unique<StateListener>(*routers.graph, bus.ros_namespace);
+  return routers;
 }
 
 int list(const Options& options) {
-  const auto graph = open_graph(options);
-  StateListener states(*graph);
-  const KnownLogs logs = heard_logs(states, "", seconds(options.spin_s));
+  const Routers routers = open(options);
+  const KnownLogs logs = heard_logs(*routers.states, "", seconds(options.spin_s));
   if (!logs.any()) throw EnvironmentError(logs.why_none());
   std::printf("%s", logs.table(steady_now()).c_str());
   return 0;
@@ -127,14 +134,13 @@ int fetch(const Options& options) {
   const std::string topic = absolute(options.topic).substr(1);
   const std::string output = options.output.empty() ? timestamped_folder() : options.output;
   load_idl_libraries();
-  const auto graph = open_graph(options);
-  StateListener states(*graph);
-  const KnownLogs logs = logs_with(states, topic, options.spin_s);
+  const Routers routers = open(options);
+  const KnownLogs logs = logs_with(*routers.states, topic, options.spin_s);
   if (is_stopped()) return 1;
   const std::int64_t clock_ns = logs.clock_ns(topic, steady_now()).value();
   auto request = request_for(topic, options.range, clock_ns);
   request.id(fresh_id());
-  Fetching fetching(*graph, states, request, output);
+  Fetching fetching(*routers.graph, *routers.states, request, output);
   return tell(fetching, fetching.run(), output);
 }
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "state_listener.hpp"
 
-#include "foundation/ros_names.hpp"
 #include "idl_support/decode.hpp"
 
 namespace tocsin::log_tool {
 
-StateListener::StateListener(HostGraph& graph)
-    : reading_(graph.read(
-          {wire_topic(topic::LinkState::info.name), type_info<State>().name},
+StateListener::StateListener(HostGraph& graph, const std::string& ros_namespace)
+    : prefix_(ros_namespace.empty() ? "" : ros_namespace + "/"),
+      reading_(graph.read(
+          {on_wire(topic::LinkState::info.name), type_info<State>().name},
           [this](RawSample&& sample) {
             const auto message = decode(type_info<State>(), *sample.bytes);
             if (!message) return;

@@ -124,6 +124,13 @@ TEST(Fetching, RefusesABagThatIsThere) {
   EXPECT_THROW(Fetching(graph, states, request(), folder.path("fetched")), ConfigError);
 }
 
+TEST(StateListener, KnowsTheTopicsOfItsNamespace) {
+  FakeGraph graph;
+  const StateListener sut(graph, "uxv3");
+  EXPECT_EQ(sut.on_wire("log_request"), "rt/uxv3/log_request");
+  EXPECT_EQ(StateListener(graph).on_wire("log_request"), "rt/log_request");
+}
+
 TEST(StateListener, GivesEachStateOnceAndLeavesOutWhatIsNone) {
   FakeGraph graph;
   StateListener sut(graph);

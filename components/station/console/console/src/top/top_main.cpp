@@ -3,13 +3,19 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
+#include <deque>
 #include <functional>
+#include <map>
 #include <mutex>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "command_line/command.hpp"
 #include "command_line/stop_signal.hpp"
+#include "deployment/running_host.hpp"
 #include "foundation/error.hpp"
 #include "health_table.hpp"
 #include "link_table.hpp"
@@ -24,7 +30,7 @@ struct Health {
   Time now;
   std::vector<Row> rows;
   std::vector<Gone> gone;
-  LinkTable link;
+  std::map<std::string, LinkTable> links;  ///< by vehicle; of a host with one link by ""
 };
 
 /// Gives each sample of a topic to `take`, on the bus's threads.
@@ -33,43 +39,63 @@ class Listener : private Receiver {
  public:
   using Message = typename Topic::Message;
   using Take = std::function<void(const Message&, const Sample&)>;
-  Listener(Bus& bus, Take take)
+  /// `vehicle`: of several that the station serves; empty: the topics of this host.
+  Listener(Bus& bus, const std::string& vehicle, Take take)
       : take_(std::move(take)),
-        subscription_(bus.subscribe({Topic::info, &type_info<Message>()}, *this)) {}
+        name_(vehicle.empty() ? Topic::info.name : "/" + vehicle + "/" + Topic::info.name),
+        subscription_(bus.subscribe({named(Topic::info), &type_info<Message>()}, *this)) {}
 
  private:
+  [[nodiscard]] TopicInfo named(TopicInfo info) const {
+    info.name = name_.c_str();
+    return info;
+  }
   void receive(const Sample& sample) override {
     take_(*std::static_pointer_cast<const Message>(sample.message), sample);
   }
   const Take take_;
+  const std::string name_;
   std::unique_ptr<Subscription> subscription_;
 };
 
 /// Keeps the tables up to date from the bus's threads.
 class Tables {
  public:
-  explicit Tables(Bus& bus)
-      : health_(bus,
-                [this](const auto& message, const Sample& sample) {
-                  const std::lock_guard<std::mutex> lock(mutex_);
-                  table_.add(message, sample.source, sample.received);
-                }),
-        link_state_(bus, [this](const auto& message, const Sample& sample) {
-          const std::lock_guard<std::mutex> lock(mutex_);
-          link_.add(message, sample.received);
-        }) {}
+  /// `vehicles`: see Listener.
+  Tables(Bus& bus, const std::vector<std::string>& vehicles) {
+    for (const std::string& vehicle : vehicles) {
+      health_.emplace_back(bus, vehicle, [this](const auto& message, const Sample& sample) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        table_.add(message, sample.source, sample.received);
+      });
+      link_states_.emplace_back(bus, vehicle,
+                                [this, vehicle](const auto& message, const Sample& sample) {
+                                  const std::lock_guard<std::mutex> lock(mutex_);
+                                  links_[vehicle].add(message, sample.received);
+                                });
+    }
+  }
   Health health(Time now) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return {now, table_.rows(now), table_.gone(now), link_};
+    return {now, table_.rows(now), table_.gone(now), links_};
   }
 
  private:
   std::mutex mutex_;
   HealthTable table_;
-  LinkTable link_;
-  Listener<topic::Diagnostics> health_;
-  Listener<topic::LinkState> link_state_;
+  std::map<std::string, LinkTable> links_;
+  std::deque<Listener<topic::Diagnostics>> health_;
+  std::deque<Listener<topic::LinkState>> link_states_;
 };
+
+/// The vehicles that the chosen host serves by name; one empty name where there is one link.
+std::vector<std::string> vehicles_of(const HostChoice& choice) {
+  const auto host = chosen_host(choice);
+  if (!host || !choice.ros_namespace.empty()) return {""};
+  const auto& all = host->deployment.vehicles;
+  const bool is_station = std::find(all.begin(), all.end(), host->host) == all.end();
+  return all.empty() || !is_station ? std::vector<std::string>{""} : all;
+}
 
 struct Options {
   HostChoice host;
@@ -81,13 +107,22 @@ struct Options {
 /// Of what is written to a file or a pipe.
 constexpr std::size_t file_width = 200;
 
-/// The ways over the link, the health of everything, and what each class has carried.
+void append(const std::vector<terminal::Line>& more, std::vector<terminal::Line>& lines) {
+  lines.insert(lines.end(), more.begin(), more.end());
+}
+
+/// The ways over the link, the health of everything, and what each class has carried; of several
+/// vehicles each link by itself, and then the health.
 std::vector<terminal::Line> lines_of(const Health& health, std::size_t width) {
-  std::vector<terminal::Line> lines = health.link.lines(health.now);
-  for (const auto& part :
-       {page(health.rows, health.gone, width), health.link.classes(health.now, width)}) {
-    lines.insert(lines.end(), part.begin(), part.end());
+  std::vector<terminal::Line> lines;
+  std::vector<terminal::Line> classes;
+  for (const auto& [vehicle, link] : health.links) {
+    if (!vehicle.empty()) lines.push_back({terminal::Span{vehicle}});
+    append(link.lines(health.now), lines);
+    append(link.classes(health.now, width), vehicle.empty() ? classes : lines);
   }
+  append(page(health.rows, health.gone, width), lines);
+  append(classes, lines);
   return lines;
 }
 
@@ -119,8 +154,9 @@ void show(const Options& options, const Health& health) {
 }
 
 int run(const Options& options) {
+  const auto vehicles = vehicles_of(options.host);  // before it enters the host's network
   const auto bus = open_host_bus(options.host, "tocsin_top");
-  Tables tables(*bus);
+  Tables tables(*bus, vehicles);
   if (options.once) {
     std::this_thread::sleep_for(seconds(2.5));  // every container reports once a second
     const Health health = tables.health(bus->now());
