@@ -2,6 +2,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <filesystem>
+#include <set>
 
 #include "deployment/deployment.hpp"
 #include "foundation/enum_words.hpp"
@@ -168,7 +169,10 @@ std::string resolved_text(const Deployment& deployment) {
   out.SetDoublePrecision(10);
   write(out, deployment);
   std::string text = "# Written by tocsin launch from:\n";
-  for (const std::string& source : deployment.sources.files()) text += "#   " + source + "\n";
+  std::set<std::string> told;  // a file is read anew for each vehicle
+  for (const std::string& source : deployment.sources.files()) {
+    if (told.insert(source).second) text += "#   " + source + "\n";
+  }
   return text + out.c_str() + "\n";
 }
 

@@ -233,7 +233,7 @@ TEST_F(VehiclesTest, RejectsWhatDoesNotFit) {
   EXPECT_THAT(error_of(with("10.77.0.12", "10.77.0.11")), HasSubstr("must be different addresses"));
   EXPECT_THAT(error_of(with("10.77.0.12", "ten")), HasSubstr("'ten' is not an IPv4 address"));
   EXPECT_THAT(error_of(with("uxv2: {address: 10.77.0.12", "gcs: {address: 10.77.0.12")),
-              HasSubstr("gcs: host of this name twice"));
+              HasSubstr("vehicles.gcs: is the station's role, and no vehicle's name"));
   EXPECT_THAT(error_of(with("role: uxv", "role: gcs")),
               HasSubstr("the one host of role uxv, of which `hosts` has 0"));
   EXPECT_THAT(error_of(with("{start: \"0", "{share: \"0")),

@@ -70,8 +70,7 @@ std::string YamlSources::path(const YAML::Node& node, const std::string& text) c
 std::vector<std::string> YamlSources::files() const {
   std::vector<std::string> names;
   for (const Source& source : sources_) {
-    const bool is_new = std::find(names.begin(), names.end(), source.name) == names.end();
-    if (source.is_file && is_new) names.push_back(source.name);
+    if (source.is_file) names.push_back(source.name);
   }
   return names;
 }

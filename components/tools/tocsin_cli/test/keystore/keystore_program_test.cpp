@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <fstream>
+
 #include "command_line/run_to_end.hpp"
 #include "foundation/temporary_folder.hpp"
 #include "keystore/enclave.hpp"
@@ -16,7 +19,8 @@ using ::testing::HasSubstr;
 class KeystoreProgram : public ::testing::Test {
  protected:
   [[nodiscard]] Ended run(std::vector<std::string> words) const {
-    const bool makes_identity = words[0] == "add" || words[0] == "permit";
+    const bool names_file = std::find(words.begin(), words.end(), "--traffic") != words.end();
+    const bool makes_identity = (words[0] == "add" || words[0] == "permit") && !names_file;
     words.insert(words.begin(), KEYSTORE_PROGRAM);
     if (makes_identity) {
       words.insert(words.end(),
@@ -56,10 +60,11 @@ TEST_F(KeystoreProgram, MistakesEndWithTwoAndOneLine) {
 TEST_F(KeystoreProgram, AnIdentityWithOtherPermissionsKeepsItsKey) {
   (void)run({"create"});
   (void)run({"add", "uxv1"});
-  EXPECT_EQ(run({"permit", "uxv1", "--namespace", "fleet"}).code, 0);
+  std::ofstream(path("traffic.yaml")) << "uxv: {low: {topics: [chatter]}}\ngcs: {}\n";
+  EXPECT_EQ(run({"permit", "uxv1", "--traffic", path("traffic.yaml")}).code, 0);
   const auto permissions = keystore::read_enclave(path("keystore/enclaves/uxv1")).permissions;
   ASSERT_TRUE(permissions);
-  EXPECT_THAT(permissions->publish, Contains("rt/fleet/location"));
+  EXPECT_THAT(permissions->publish, Contains("rt/chatter"));
   EXPECT_EQ(run({"check"}).code, 0);
 }
 

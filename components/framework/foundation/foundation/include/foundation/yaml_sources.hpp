@@ -38,7 +38,7 @@ class YamlSources {
   [[nodiscard]] std::string place(const YAML::Node& node) const;
   /// `text`, a path that `node` says, as an absolute one: relative to the folder of its file.
   [[nodiscard]] std::string path(const YAML::Node& node, const std::string& text) const;
-  /// All files once, in the order of their first reading.
+  /// All files, in the order of their reading.
   [[nodiscard]] std::vector<std::string> files() const;
 
  private:
