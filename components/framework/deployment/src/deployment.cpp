@@ -2,6 +2,7 @@
 #include "deployment/deployment.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "bringup_reader.hpp"
@@ -242,12 +243,25 @@ void keep_host(const std::string& name, Deployment& deployment) {
   keep_own_ends(deployment);
 }
 
+/// With an emulated radio each host has a network of its own.
+void check_local_domains(const Deployment& deployment) {
+  std::map<int, std::string> users;
+  for (const Host& host : deployment.hosts) {
+    const auto [known, is_new] = users.emplace(host.local_domain, host.name);
+    if (is_new || deployment.radio) continue;
+    fail(deployment, "hosts." + host.name + ".domain: " + std::to_string(host.local_domain) +
+                         " is that of " + known->second +
+                         ", too: start them with --host, each on its computer");
+  }
+}
+
 void check_domains(const Deployment& deployment) {
   const int links = std::max(1, static_cast<int>(deployment.vehicles.size()));
   const int last = deployment.link_domain + links - 1;
   const int most = deployment.security.empty() ? max_open_domain : max_secured_domain;
   if (last <= most) return;
-  const int domain = deployment.hosts.front().local_domain;
+  const int domain =
+      deployment.link_domain - std::max(2, static_cast<int>(deployment.hosts.size()));
   fail(deployment, "domain: " + std::to_string(domain) + " is above " +
                        std::to_string(domain - (last - most)) + ", the last one of " +
                        (deployment.vehicles.empty() ? "" : "so many vehicles and ") +
@@ -258,7 +272,10 @@ void check_domains(const Deployment& deployment) {
 
 void assign_domains(int domain, Deployment& deployment) {
   deployment.link_domain = domain + std::max(2, static_cast<int>(deployment.hosts.size()));
-  for (Host& host : deployment.hosts) host.local_domain = domain++;
+  for (Host& host : deployment.hosts) {
+    if (host.local_domain == no_domain) host.local_domain = domain;
+    ++domain;
+  }
 }
 
 void check_whole(const Deployment& deployment) {
@@ -299,6 +316,7 @@ Deployment load_deployment(const std::string& path, const Overrides& overrides) 
   assign_domains(overrides.domain.value_or(reader.domain()), deployment);
   check_domains(deployment);
   if (!overrides.host.empty()) keep_host(host_named(deployment, overrides.host).name, deployment);
+  check_local_domains(deployment);
   return deployment;
 }
 

@@ -108,7 +108,7 @@ Host read_host(const std::string& name, const YAML::Node& node, const YamlSource
   const std::string owner = "hosts." + name;
   const Section section(
       node, owner, sources,
-      {"role", "address", "peers", "second", "enclave", "programs", "containers"});
+      {"role", "address", "peers", "second", "enclave", "domain", "programs", "containers"});
   Host host;
   host.name = name;
   const std::string role = section.required_text("role");
@@ -120,6 +120,8 @@ Host read_host(const std::string& name, const YAML::Node& node, const YamlSource
   for (const std::string& peer : host.peers) check_address(peer, "peers", section);
   host.second = read_second(section, host, sources);
   host.enclave = section.text("enclave", name);
+  const bool has_domain = section.find("domain").IsDefined();
+  host.local_domain = has_domain ? section.whole("domain", 0, 0, 231) : no_domain;
   for (const YAML::Node& item : section.items("programs")) {
     host.programs.push_back(read_program(item, owner + ".programs", sources));
   }

@@ -21,8 +21,11 @@ void read_body(const Section& section, const YamlSources& sources, Named named,
 /// Throws ConfigError when it is no IPv4 address.
 void check_address(const std::string& text, const std::string& key, const Section& section);
 
-/// Gives every host its domain id: `domain`, `domain + 1`; the link has the next one, but at least
-/// `domain + 2`, and the links of several vehicles those from there on.
+/// Of a host whose `domain` the file does not say.
+inline constexpr int no_domain = -1;
+
+/// Gives every host that has none its domain id: `domain`, `domain + 1`, by its place; the link has
+/// the next one, but at least `domain + 2`, and the links of several vehicles those from there on.
 void assign_domains(int domain, Deployment& deployment);
 
 /// Throws ConfigError when parts contradict each other: duplicate names, two terminals,

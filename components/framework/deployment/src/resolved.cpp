@@ -124,7 +124,11 @@ void write_domains(YAML::Emitter& out, const Deployment& deployment) {
   out << deployment.link_domain << EndSeq;
 }
 
+/// What an older version wrote has `domain`, from which they count on.
 void read_domains(const Section& section, Deployment& deployment) {
+  if (!section.find("domains").IsDefined()) {
+    return assign_domains(section.whole("domain", 0, 0, 229), deployment);
+  }
   std::vector<int> domains;
   for (const std::string& text : section.texts("domains")) {
     const bool is_number = !text.empty() && text.size() <= 3 &&
@@ -197,7 +201,7 @@ Deployment load_resolved(const std::string& path, const std::string& copy) {
   deployment.file = path;
   const YAML::Node root = deployment.sources.read(path, copy);
   const Section section(root, "deployment", deployment.sources,
-                        body_keys({"run_dir", "share", "seed", "domains"}));
+                        body_keys({"run_dir", "share", "seed", "domain", "domains"}));
   // The files that it names were there at the launch.
   read_body(section, deployment.sources, Named::may_be_gone, deployment);
   deployment.run_dir = section.text("run_dir", "");

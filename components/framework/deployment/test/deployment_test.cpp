@@ -74,7 +74,8 @@ TEST_F(DeploymentTest, RejectsUnknownKeysEverywhereWithTheirLine) {
        {"role: uxv", "role: uxv\n    rool: 1",
         "hosts.uxv.rool: unknown key; allowed: [role, address, peers"},
        {"role: uxv", "rol: uxv",
-        "hosts.uxv.rol: unknown key; allowed: [role, address, peers, second, enclave, programs, "
+        "hosts.uxv.rol: unknown key; allowed: [role, address, peers, second, enclave, domain, "
+        "programs, "
         "containers]; did you mean 'role'? ("},
        {"terminal: true", "terminl: true",
         "hosts.gcs.containers.terminl: unknown key; allowed: [name, terminal, health, "

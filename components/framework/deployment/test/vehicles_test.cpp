@@ -168,6 +168,20 @@ TEST_F(VehiclesTest, AHostAloneHasTheLinkThatItHasAmongAll) {
   EXPECT_THAT(error_of(fleet), HasSubstr("--host uxv3: no such host"));
 }
 
+TEST_F(VehiclesTest, EachMayHaveTheSameDomainOnAComputerOfItsOwn) {
+  const std::string equal =
+      replaced(replaced(fleet, "    role: uxv", "    role: uxv\n    domain: 0"), "    role: gcs",
+               "    role: gcs\n    domain: 0");
+  const Deployment whole = load(equal);  // its radio is emulated
+  EXPECT_EQ(whole.hosts[1].local_domain, 0);
+  EXPECT_EQ(part_of(whole, "uxv2").link_domain, 44);
+  const std::string radio = "radio: {channel: ../channel.yaml, walls: ../walls.yaml}\n";
+  EXPECT_THAT(error_of(replaced(equal, radio, "")),
+              HasSubstr("hosts.uxv2.domain: 0 is that of uxv1, too: start them with --host"));
+  overrides_.host = "uxv2";
+  EXPECT_EQ(load(replaced(equal, radio, "")).hosts[0].local_domain, 0);
+}
+
 TEST_F(VehiclesTest, AllEndTheRun) {
   EXPECT_THAT(load(fleet).stop_when_exits, ElementsAre("gcs/uxv1_mission", "gcs/uxv2_mission"));
 }

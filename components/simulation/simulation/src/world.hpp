@@ -105,6 +105,8 @@ class World {
   /// Throws ConfigError when there is none.
   [[nodiscard]] Process& process_of(const Fault& fault);
   [[nodiscard]] std::vector<Side*> sides_of(const std::string& host);
+  /// Whether it is for this vehicle: for the one that is its target, else for all.
+  [[nodiscard]] bool is_of(const Fault& fault, std::size_t vehicle) const;
   /// The number of the vehicle that is the target; of the first one when none is. Throws
   /// ConfigError.
   [[nodiscard]] std::size_t vehicle_of(const Fault& fault) const;

@@ -84,9 +84,8 @@ void World::plan_air(const Fault& fault) {
   double AirFaults::*const which = fault.kind == FaultKind::loss    ? &AirFaults::loss
                                    : fault.kind == FaultKind::delay ? &AirFaults::delay_s
                                                                     : &AirFaults::duplication;
-  const std::size_t only = fault.target.empty() ? 0 : vehicle_of(fault);
   for (std::size_t i = 0; i < link_.vehicles(); ++i) {
-    if (!fault.target.empty() && i != only) continue;
+    if (!is_of(fault, i)) continue;
     at(fault.at_s, [this, i, which, amount = fault.amount] { link_.faults(i).*which = amount; });
     at(fault.at_s + fault.for_s, [this, i, which] { link_.faults(i).*which = 0; });
   }
@@ -234,14 +233,19 @@ World::Process& World::process_of(const Fault& fault) {
 std::vector<SimBase*> World::bases_of(const Fault& fault) {
   std::vector<SimBase*> found;
   for (Side& side : sides_) {
-    if (!fault.target.empty() && side.vehicle != vehicle_of(fault)) continue;
+    if (!is_of(fault, side.vehicle)) continue;
     for (SimBase& base : side.bases) found.push_back(&base);
   }
   return found;
 }
 
+bool World::is_of(const Fault& fault, std::size_t vehicle) const {
+  const bool is_named = !deployment_.vehicles.empty() && !fault.target.empty();
+  return !is_named || vehicle_of(fault) == vehicle;
+}
+
 std::size_t World::vehicle_of(const Fault& fault) const {
-  if (fault.target.empty()) return 0;
+  if (fault.target.empty() || deployment_.vehicles.empty()) return 0;
   for (const Side& side : sides_) {
     if (side.host->role() == Role::uxv && side.host->name() == fault.target) return side.vehicle;
   }

@@ -44,10 +44,14 @@ GuidStart guid_start_of(const std::string& identity) {
 
 std::string proven_name(const std::string& host, const GuidStart& identity) {
   constexpr int numbers = 1000;
-  if (guid_start_of(host) == identity) return host;
   for (int number = 0; number < numbers; ++number) {
     if (guid_start_of(host + std::to_string(number)) == identity) return host;
   }
+  return exact_name(host, identity);
+}
+
+std::string exact_name(const std::string& host, const GuidStart& identity) {
+  if (guid_start_of(host) == identity) return host;
   std::string octets;
   for (const std::uint8_t octet : identity) octets += fmt::format("{:02x}", octet);
   return host + "_of_" + octets;

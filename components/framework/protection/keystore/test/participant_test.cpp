@@ -44,6 +44,8 @@ TEST(ProvenName, IsAnotherWhereTheIdentityIsAnothers) {
   EXPECT_NE(proven_name("gcs", of_fast_dds("gcsx")), "gcs");
   EXPECT_NE(proven_name("gcs", of_fast_dds("uxv1")), proven_name("gcs", of_fast_dds("uxv2")));
   EXPECT_EQ(proven_name("gcs", GuidStart{0x80, 1, 2, 3, 4, 0xff}), "gcs_of_8001020304ff");
+  EXPECT_EQ(exact_name("uxv1", of_fast_dds("uxv1")), "uxv1");
+  EXPECT_NE(exact_name("uxv1", of_fast_dds("uxv12")), "uxv1");
 }
 
 }  // namespace

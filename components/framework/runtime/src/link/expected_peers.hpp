@@ -5,6 +5,7 @@
 #include <mutex>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -31,6 +32,12 @@ class ExpectedPeers {
   }
   [[nodiscard]] bool takes(const std::string& name) const {
     return names_.empty() || std::find(names_.begin(), names_.end(), name) != names_.end();
+  }
+  /// `subject` of a certificate, as RFC 2253 has it: `CN=/uxv1`.
+  [[nodiscard]] bool takes_subject(const std::string& subject) const {
+    constexpr std::string_view start = "CN=/";
+    return names_.empty() ||
+           (subject.compare(0, start.size(), start) == 0 && takes(subject.substr(start.size())));
   }
   [[nodiscard]] bool is_refused(const Participant& participant) const {
     if (names_.empty()) return false;

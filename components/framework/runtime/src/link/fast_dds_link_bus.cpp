@@ -141,7 +141,7 @@ void FastDdsLinkBus::on_link_participant(const RemoteEnds::Participant& particip
 StopNews FastDdsLinkBus::take_stop_news() {
   StopNews news = stop_->take_news();
   const auto of_another = [this](const ReceivedStop& one) {
-    return !one.identity.empty() && !expected_.takes(one.identity);
+    return !one.identity.empty() && !expected_.takes_subject(one.identity);
   };
   auto& values = news.values;
   values.erase(std::remove_if(values.begin(), values.end(), of_another), values.end());
@@ -153,7 +153,9 @@ std::string FastDdsLinkBus::peer_name(const RemoteEnds::Participant& participant
   if (options_.enclave.empty() || host.empty()) return host;
   keystore::GuidStart identity{};
   std::copy_n(participant.value, identity.size(), identity.begin());
-  return keystore::proven_name(host, identity);
+  // uxv12 is not uxv1 where vehicles are known by their names.
+  return expected_.names().empty() ? keystore::proven_name(host, identity)
+                                   : keystore::exact_name(host, identity);
 }
 
 void FastDdsLinkBus::join_link() {

@@ -133,6 +133,25 @@ TEST_F(SecuredLinkTest, ALinkToOneVehicleTakesNothingOfAnotherThatHasItsName) {
   expect_not_heard(secured(Role::uxv, "uxv2"), {"uxv"});
 }
 
+TEST_F(SecuredLinkTest, ALinkToOneVehicleTakesItsStopAndNotThatOfAnother) {
+  keystore::add(store("keystore"), {"uxv2", {{"rt/location"}, {"rt/goal"}}}, std::time(nullptr));
+  BusOptions station = secured(Role::gcs);
+  station.peer_names = {"uxv"};
+  const Relay gcs(station);
+  StopValue value;
+  value.number = 5;
+  {
+    Relay stranger(secured(Role::uxv, "uxv2"));
+    stranger.say_stop(value);
+    std::this_thread::sleep_for(milliseconds(1500));  // a tenth of it is enough for the other
+    EXPECT_EQ(gcs.stop_number(), 0U);
+  }
+  value.number = 7;
+  Relay vehicle(secured(Role::uxv));
+  vehicle.say_stop(value);
+  EXPECT_TRUE(eventually([&] { return gcs.stop_number() == 7; }));
+}
+
 TEST_F(SecuredLinkTest, AnIdentityOfAnotherAuthorityIsNotHeard) {
   make_keystore("other");
   expect_not_heard(secured(Role::uxv, "uxv", "other"));

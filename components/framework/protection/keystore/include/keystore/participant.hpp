@@ -20,4 +20,7 @@ using GuidStart = std::array<std::uint8_t, 6>;
 /// can have.
 [[nodiscard]] std::string proven_name(const std::string& host, const GuidStart& identity);
 
+/// The same where the identity must have the host's name, without a number.
+[[nodiscard]] std::string exact_name(const std::string& host, const GuidStart& identity);
+
 }  // namespace tocsin::keystore
