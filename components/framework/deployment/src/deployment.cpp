@@ -2,6 +2,7 @@
 #include "deployment/deployment.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
 #include <set>
 
@@ -38,17 +39,23 @@ void check_unique(const Deployment& deployment, const std::vector<std::string>& 
   }
 }
 
+/// "host/name" of every component; of what serves one of several vehicles "host/vehicle/name".
+std::vector<std::string> component_names(const Host& host) {
+  std::vector<std::string> names;
+  for (const Container& container : host.containers) {
+    const std::string& vehicle = container.vehicle;
+    const std::string place = host.name + "/" + (vehicle.empty() ? "" : vehicle + "/");
+    for (const auto& instance : container.components) names.push_back(place + instance.name);
+  }
+  return names;
+}
+
 void check_components(const Deployment& deployment) {
-  int terminals = 0;
+  std::ptrdiff_t terminals = 0;
   for (const Host& host : deployment.hosts) {
-    std::vector<std::string> names;
-    for (const Container& container : host.containers) {
-      terminals += container.terminal ? 1 : 0;
-      const std::string place =
-          host.name + "/" + (container.vehicle.empty() ? "" : container.vehicle + "/");
-      for (const auto& instance : container.components) names.push_back(place + instance.name);
-    }
-    check_unique(deployment, names, "component");
+    terminals += std::count_if(host.containers.begin(), host.containers.end(),
+                               [](const Container& one) { return one.terminal; });
+    check_unique(deployment, component_names(host), "component");
     if (!host.containers.empty() && (deployment.qos.empty() || deployment.traffic.empty())) {
       fail(deployment, "qos, traffic: both are needed when there are containers");
     }
@@ -117,21 +124,26 @@ void check_radio(const Deployment& deployment) {
   check_second_radio(deployment);
 }
 
+/// A container that serves one of several serves one that there is, at the station.
+void check_vehicle(const Deployment& deployment, const Host& host, const Container& container) {
+  const std::string& vehicle = container.vehicle;
+  const std::string owner = host.name + "/" + container.name + ": vehicle: '" + vehicle;
+  if (!is_vehicle(deployment, vehicle)) {
+    fail(deployment, owner + "' is not one of: [" + joined(deployment.vehicles) + "]");
+  }
+  if (is_vehicle(deployment, host.name)) {
+    fail(deployment, owner + "' is for a container of the station");
+  }
+}
+
 void check_vehicles(const Deployment& deployment) {
+  if (deployment.vehicles.empty()) return;
   for (const Host& host : deployment.hosts) {
-    if (host.second && !deployment.vehicles.empty()) {
+    if (host.second) {
       fail(deployment, "hosts." + host.name + ".second: is for a file without `vehicles`");
     }
     for (const Container& container : host.containers) {
-      const std::string& vehicle = container.vehicle;
-      if (vehicle.empty() || deployment.vehicles.empty()) continue;
-      const std::string owner = host.name + "/" + container.name + ": vehicle: '" + vehicle;
-      if (!is_vehicle(deployment, vehicle)) {
-        fail(deployment, owner + "' is not one of: [" + joined(deployment.vehicles) + "]");
-      }
-      if (is_vehicle(deployment, host.name)) {
-        fail(deployment, owner + "' is for a container of the station");
-      }
+      if (!container.vehicle.empty()) check_vehicle(deployment, host, container);
     }
   }
 }

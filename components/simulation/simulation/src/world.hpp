@@ -90,6 +90,7 @@ class World {
   void plan_laser(const Fault& fault);
   void plan_displacement(const Fault& fault);
   void plan_stuck_pose(const Fault& fault);
+  void plan_clock_jump(const Fault& fault);
   void plan_disk(const Fault& fault);
   void plan_stop(const Fault& fault);
   void plan_rogue(const Fault& fault);

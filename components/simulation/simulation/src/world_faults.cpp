@@ -55,8 +55,11 @@ void World::plan(const Fault& fault) {
     case FaultKind::pose_stuck:
       return plan_stuck_pose(fault);
     case FaultKind::clock_jump:
-      break;
+      return plan_clock_jump(fault);
   }
+}
+
+void World::plan_clock_jump(const Fault& fault) {
   const auto sides = sides_of(fault.target);
   if (sides.empty()) throw ConfigError("faults.target: no host '" + fault.target + "'");
   for (Side* const side : sides) {

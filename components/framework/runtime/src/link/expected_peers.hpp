@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <mutex>
 #include <set>
 #include <string>
@@ -18,6 +19,9 @@ namespace tocsin {
 class ExpectedPeers {
  public:
   using Participant = eprosima::fastdds::rtps::GuidPrefix_t;
+  /// Of the first so many strange names each is refused once, and `refused_before` from then on, as
+  /// are all others: who invents names fills no log.
+  static constexpr std::size_t most_told = 32;
   enum class Judgement { expected, refused, refused_before };
 
   /// Names of their hosts; empty: whoever comes.
@@ -28,7 +32,8 @@ class ExpectedPeers {
     if (takes(name)) return Judgement::expected;
     const std::lock_guard<std::mutex> lock(mutex_);
     refused_.insert(participant);
-    return told_.insert(name).second ? Judgement::refused : Judgement::refused_before;
+    const bool is_new = told_.size() < most_told && told_.insert(name).second;
+    return is_new ? Judgement::refused : Judgement::refused_before;
   }
   [[nodiscard]] bool takes(const std::string& name) const {
     return names_.empty() || std::find(names_.begin(), names_.end(), name) != names_.end();

@@ -133,15 +133,15 @@ void Emulator::carry_from(std::size_t index) {
 
 void Emulator::carry_from_station() {
   for (int i = 0; i < packets_per_wake_up; ++i) {
-    Bytes packet = gcs_.read();
+    const Bytes packet = gcs_.read();
     if (gcs_.gone()) forget(gcs_, options_.gcs);
     if (packet.empty()) return;
-    send_down(std::move(packet));
+    send_down(packet);
   }
 }
 
 /// To a group it goes to each vehicle by itself. With one vehicle all is for it, as on a wire.
-void Emulator::send_down(Bytes packet) {
+void Emulator::send_down(const Bytes& packet) {
   const bool to_all = vehicles_.size() == 1 || is_group_addressed(packet, options_.gcs.prefix);
   const std::uint32_t destination = destination_of(packet);
   for (std::size_t i = 0; i < vehicles_.size(); ++i) {
@@ -170,20 +170,20 @@ void Emulator::deliver() {
   channel_.advance(clock_now());
   while (const auto outcome = channel_.take()) {
     const auto packet = packets_.find(outcome->id);
-    Bytes bytes = std::move(packet->second);
+    const Bytes bytes = std::move(packet->second);
     packets_.erase(packet);
-    if (outcome->fate == radio::Fate::delivered) deliver(*outcome, std::move(bytes));
+    if (outcome->fate == radio::Fate::delivered) deliver(*outcome, bytes);
   }
 }
 
 /// The access point sends on what a vehicle sends to another one.
-void Emulator::deliver(const radio::Outcome& outcome, Bytes packet) {
+void Emulator::deliver(const radio::Outcome& outcome, const Bytes& packet) {
   const bool up = outcome.direction == radio::Direction::uplink;
   const std::uint32_t destination = destination_of(packet);
   const bool is_for_vehicle =
       up && std::any_of(vehicles_.begin(), vehicles_.end(),
                         [&](const Vehicle& one) { return one.address == destination; });
-  if (is_for_vehicle) return send_down(std::move(packet));
+  if (is_for_vehicle) return send_down(packet);
   Tun& to = up ? gcs_ : vehicles_[outcome.vehicle].tun;
   if (!to.write(packet)) ++counters_.write_errors;
 }

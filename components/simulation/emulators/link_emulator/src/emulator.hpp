@@ -56,11 +56,11 @@ class Emulator {
   void carry_from(std::size_t vehicle);
   void carry_from_station();
   /// A packet of the station, or one that the access point sends on.
-  void send_down(Bytes packet);
+  void send_down(const Bytes& packet);
   void push(radio::Direction direction, std::size_t vehicle, Bytes packet);
   void forget(const Tun& tun, const End& end);
   void deliver();
-  void deliver(const radio::Outcome& outcome, Bytes packet);
+  void deliver(const radio::Outcome& outcome, const Bytes& packet);
   void obey(const std::string& datagram, std::size_t vehicle);
   void apply(const SetParameter& command);
   void report();

@@ -112,6 +112,15 @@ std::vector<HostNetwork> make_networks(const deployment::Deployment& deployment)
   return std::vector<HostNetwork>(deployment.hosts.size());
 }
 
+void add_radios(const deployment::Deployment& deployment, const std::vector<HostNetwork>& networks,
+                const Folders& folders, Launcher& launcher) {
+  std::vector<int> descriptors;
+  for (const HostNetwork& network : networks) descriptors.push_back(network.descriptor());
+  for (const ProcessSpec& spec : plan_radios(deployment, descriptors, folders)) {
+    launcher.add(spec);
+  }
+}
+
 struct LaunchOptions {
   BringupOptions bringup;
   std::string user;
@@ -148,13 +157,7 @@ int launch(LaunchOptions& given) {
   }
   if (const auto warning = open_link_warning(deployment)) journal.say(*warning);
   Launcher launcher(deployment, networks, signals, journal, service);
-  if (deployment.radio) {
-    std::vector<int> descriptors;
-    for (const HostNetwork& network : networks) descriptors.push_back(network.descriptor());
-    for (const ProcessSpec& spec : plan_radios(deployment, descriptors, folders)) {
-      launcher.add(spec);
-    }
-  }
+  if (deployment.radio) add_radios(deployment, networks, folders, launcher);
   for (const ProcessSpec& spec : specs) launcher.add(spec);
   launcher.serve(std::move(ports));
   return launcher.run();
