@@ -2,6 +2,7 @@
 #include "full_disk.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -26,6 +27,15 @@ std::vector<int> appending_under(const std::string& folder) {
   return found;
 }
 
+/// A component may have closed its file meanwhile, and another world have opened one of that
+/// number.
+bool is_full(int descriptor) {
+  struct stat full {};
+  struct stat own {};
+  return ::stat("/dev/full", &full) == 0 && ::fstat(descriptor, &own) == 0 &&
+         S_ISCHR(own.st_mode) && own.st_rdev == full.st_rdev;
+}
+
 }  // namespace
 
 FullDisk::FullDisk(const std::string& folder) {
@@ -42,7 +52,7 @@ FullDisk::FullDisk(const std::string& folder) {
 
 FullDisk::~FullDisk() {
   for (const File& file : files_) {
-    ::dup3(file.real, file.descriptor, O_CLOEXEC);
+    if (is_full(file.descriptor)) ::dup3(file.real, file.descriptor, O_CLOEXEC);
     ::close(file.real);
   }
 }

@@ -12,7 +12,7 @@ namespace tocsin::simulation {
 class FullDisk {
  public:
   explicit FullDisk(const std::string& folder);
-  /// There is room again. The files must still be open.
+  /// There is room again. The number of a file that was closed meanwhile stays whose it is now.
   ~FullDisk();
   FullDisk(const FullDisk&) = delete;
   FullDisk& operator=(const FullDisk&) = delete;

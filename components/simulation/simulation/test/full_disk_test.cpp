@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <optional>
 #include <sstream>
 
 #include "foundation/state_file.hpp"
@@ -34,6 +35,18 @@ TEST_F(FullDiskTest, AppendsFailAndGoOnWhenThereIsRoom) {
   }
   idle << "after\n" << std::flush;  // its descriptor is the file again
   EXPECT_EQ(text_of(path_), "before\nafter\n");
+}
+
+TEST_F(FullDiskTest, TheNumberOfAFileThatWasClosedMeanwhileStaysWithItsNewOwner) {
+  const TemporaryFolder elsewhere;
+  std::optional<std::ofstream> file(std::in_place, path_, std::ios::app);
+  std::optional<FullDisk> disk(std::in_place, temporary_.path());
+  file.reset();
+  std::ofstream other(elsewhere.path() + "/rows.csv", std::ios::app);  // takes its number
+  disk.reset();
+  EXPECT_TRUE(other << "row\n" << std::flush);
+  EXPECT_EQ(text_of(elsewhere.path() + "/rows.csv"), "row\n");
+  EXPECT_EQ(text_of(path_), "");
 }
 
 TEST_F(FullDiskTest, StateFilesAndFilesElsewhereGoOn) {
