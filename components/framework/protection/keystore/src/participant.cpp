@@ -44,10 +44,11 @@ GuidStart guid_start_of(const std::string& identity) {
 
 std::string proven_name(const std::string& host, const GuidStart& identity) {
   constexpr int numbers = 1000;
-  for (int number = 0; number < numbers; ++number) {
-    if (guid_start_of(host + std::to_string(number)) == identity) return host;
+  std::string name = exact_name(host, identity);
+  for (int number = 0; name != host && number < numbers; ++number) {
+    if (guid_start_of(host + std::to_string(number)) == identity) name = host;
   }
-  return exact_name(host, identity);
+  return name;
 }
 
 std::string exact_name(const std::string& host, const GuidStart& identity) {

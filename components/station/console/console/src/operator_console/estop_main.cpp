@@ -100,10 +100,8 @@ int give_all(const std::vector<EstopTarget>& targets, const Params& params) {
 int run(int argc, char** argv) {
   CLI::App app(
       "Presses or releases the emergency stop of the vehicle. Without --run-dir and --vehicle, on "
-      "and "
-      "status are for every vehicle of every station that runs on this computer; off is for the "
-      "only "
-      "one, and refuses to choose among several",
+      "and status are for every vehicle of every station that runs on this computer; off is for "
+      "the only one, and refuses to choose among several",
       "tocsin estop");
   EstopOptions options;
   std::string order;

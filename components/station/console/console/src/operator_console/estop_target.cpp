@@ -67,30 +67,31 @@ EstopTarget target_of(const EstopOptions& options) {
   return {"", std::nullopt, std::move(bus), has_link};
 }
 
+/// The options that mean one vehicle of a run.
+std::string choice_of(const std::string& run_dir, const std::string& vehicle) {
+  return "--run-dir " + run_dir + (vehicle.empty() ? "" : " --vehicle " + vehicle);
+}
+
 /// One for each vehicle of the station.
 std::vector<EstopTarget> targets_of(const EstopOptions& options,
                                     const deployment::RunningHost& running) {
+  const std::string& run_dir = running.deployment.run_dir;
   std::vector<EstopTarget> targets;
   for (const std::string& vehicle : vehicles_of(options.join, running.deployment, running.host)) {
-    targets.push_back({running.deployment.run_dir + (vehicle.empty() ? "" : " " + vehicle),
-                       running.process, bus_of(running.deployment, running.host, vehicle)});
+    targets.push_back({run_dir + (vehicle.empty() ? "" : " " + vehicle), running.process,
+                       bus_of(running.deployment, running.host, vehicle), false,
+                       choice_of(run_dir, vehicle)});
   }
   return targets;
 }
 
 /// Who lets vehicles drive again says which.
-void refuse_several(const EstopOptions& options,
-                    const std::vector<deployment::RunningHost>& stations) {
-  std::vector<std::string> choice;
-  for (const auto& one : stations) {
-    for (const std::string& vehicle : vehicles_of(options.join, one.deployment, one.host)) {
-      choice.push_back("--run-dir " + one.deployment.run_dir +
-                       (vehicle.empty() ? "" : " --vehicle " + vehicle));
-    }
-  }
-  if (choice.size() < 2) return;
+void refuse_several(const std::vector<EstopTarget>& targets) {
+  if (targets.size() < 2) return;
+  std::vector<std::string> choices;
+  for (const EstopTarget& one : targets) choices.push_back(one.choice);
   throw ConfigError("several vehicles are meant, and off lets a vehicle drive: choose " +
-                    joined(choice) + ", or --all");
+                    joined(choices) + ", or --all");
 }
 
 /// Folders of runs, newest first: they are named by their time.
@@ -117,7 +118,8 @@ std::vector<EstopTarget> targets_of_file(const EstopOptions& options, const fs::
         BusOptions bus = bus_of(deployment, host.name, vehicle);
         if (routed) bus.traffic_file = deployment.traffic;
         const std::string of = vehicle.empty() ? "" : " " + vehicle;
-        targets.push_back({run.string() + of + ", which does not run", std::nullopt, bus, routed});
+        targets.push_back({run.string() + of + ", which does not run", std::nullopt, bus, routed,
+                           choice_of(run.string(), vehicle)});
       }
       return targets;
     }
@@ -134,6 +136,26 @@ std::vector<EstopTarget> targets_that_ran(const EstopOptions& options) {
     if (!targets.empty()) return targets;
   }
   return {};
+}
+
+/// Of what runs here, else of what ran here last.
+std::vector<EstopTarget> targets_here(const EstopOptions& options,
+                                      deployment::RunningHosts running) {
+  std::vector<EstopTarget> targets;
+  for (const auto& one : hosts_to_join(options.join, running)) {
+    for (EstopTarget& target : targets_of(options, one)) targets.push_back(std::move(target));
+  }
+  if (!targets.empty()) return targets;
+  try {
+    return targets_of(options, host_to_join(options.join, std::move(running)));
+  } catch (const EnvironmentError& nothing_runs) {
+    targets = targets_that_ran(options);
+    if (targets.empty()) {
+      throw EnvironmentError(std::string(nothing_runs.what()) +
+                             "; --link-domain, --address and --peer reach a vehicle all the same");
+    }
+  }
+  return targets;
 }
 
 }  // namespace
@@ -159,22 +181,8 @@ void EstopOptions::declare(CLI::App& app) {
 std::vector<EstopTarget> find_targets(const EstopOptions& options, Among among,
                                       deployment::RunningHosts running) {
   if (names_domains(options)) return {target_of(options)};
-  std::vector<EstopTarget> targets;
-  const auto stations = hosts_to_join(options.join, running);
-  if (among == Among::only_one && !options.all) refuse_several(options, stations);
-  for (const auto& one : stations) {
-    for (EstopTarget& target : targets_of(options, one)) targets.push_back(std::move(target));
-  }
-  if (!targets.empty()) return targets;
-  try {
-    return targets_of(options, host_to_join(options.join, std::move(running)));
-  } catch (const EnvironmentError& nothing_runs) {
-    targets = targets_that_ran(options);
-    if (targets.empty()) {
-      throw EnvironmentError(std::string(nothing_runs.what()) +
-                             "; --link-domain, --address and --peer reach a vehicle all the same");
-    }
-  }
+  auto targets = targets_here(options, std::move(running));
+  if (among == Among::only_one && !options.all) refuse_several(targets);
   return targets;
 }
 

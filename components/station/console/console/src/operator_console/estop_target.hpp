@@ -19,6 +19,7 @@ struct EstopTarget {
   BusOptions bus;                ///< with built-in QoS; a file is read for an own router only
   /// The vehicle listens to routers only, and the station's does not run: the order needs its own.
   bool needs_router = false;
+  std::string choice = {};  ///< the options that mean it alone; empty: those that were given
 };
 
 /// How tocsin estop finds its station.

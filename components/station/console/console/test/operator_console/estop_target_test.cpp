@@ -126,6 +126,19 @@ TEST_F(EstopTargetTest, IsTheLastOneHereWhenNoneRuns) {
   EXPECT_THAT(names(find_targets(options_, Among::all, {})), ElementsAre(HasSubstr("runs/1")));
 }
 
+TEST_F(EstopTargetTest, AReleaseAsksWhichVehicleOfAStationThatDoesNotRunAnyMore) {
+  deployment::Deployment fleet = run(folder_.path("runs/1"));
+  fleet.vehicles = {"uxv1", "uxv2"};
+  fleet.hosts[0].peers = {"10.0.0.1", "10.0.0.3"};
+  fs::create_directories(folder_.path("runs/1"));
+  write_resolved(fleet, folder_.path("runs/1/deployment.yaml"));
+  EXPECT_EQ(find_targets(options_, Among::all, {}).size(), 2U);
+  EXPECT_THAT([&] { (void)find_targets(options_, Among::only_one, {}); },
+              Throws<ConfigError>(Property(&ConfigError::what, HasSubstr("--vehicle uxv2"))));
+  options_.all = true;
+  EXPECT_EQ(find_targets(options_, Among::only_one, {}).size(), 2U);
+}
+
 TEST_F(EstopTargetTest, AStationWithARouterIsAskedWhileItRunsAndReplacedWhenItDoesNot) {
   auto station = run(folder_.path("runs/1"));
   station.hosts[0].containers[0].components[0].component = "link_router";
