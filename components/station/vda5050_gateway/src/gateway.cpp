@@ -22,6 +22,8 @@ constexpr double wants_base_m = 2;
 /// the vehicle may have passed by then.
 constexpr double near_m = 0.4;
 
+constexpr double same_m = 0.01;  // two waypoints are the same
+
 bool is_near(const Node& node, const Vehicle& vehicle) {
   return vehicle.pose && geometry::distance(geometry::position(*vehicle.pose),
                                             geometry::position(node.pose)) < near_m;
@@ -64,9 +66,10 @@ void Gateway::on_order(const std::string& text, const Vehicle& vehicle) {
   const auto read = read_order(text, params_.identity, params_.capabilities);
   if (const auto* wrong = std::get_if<Fault>(&read)) return refuse(*wrong);
   const auto& order = std::get<Order>(read);
-  if (mode(vehicle) == Mode::manual) {
+  if (const Mode now = mode(vehicle); now == Mode::manual || now == Mode::startup) {
     return refuse({ErrorType::mobile_robot_not_available,
-                   "somebody else leads the vehicle",
+                   now == Mode::manual ? "somebody else leads the vehicle"
+                                       : "where the vehicle is, or its mission, is not known yet",
                    {{"orderId", order.id}}});
   }
   if (canceling_) {
@@ -108,7 +111,37 @@ void Gateway::end_drive(const DriveNews& news, Time now) {
   }
 }
 
+void Gateway::resume(OrderBook book) {
+  book_ = std::move(book);
+  is_resuming_ = true;
+}
+
+bool Gateway::knows(const Vehicle& vehicle) const {
+  return vehicle.pose && !vehicle.mission.empty() && !is_resuming_;
+}
+
+/// What was reached meanwhile counts; what is left of the leg is driven by a mission of our own.
+void Gateway::go_on(const Vehicle& vehicle, Time now) {
+  is_resuming_ = false;
+  const auto leg = book_.leg();
+  const bool is_ours =
+      vehicle.mission != "paused" && !leg.empty() && !vehicle.way.empty() &&
+      geometry::distance(vehicle.way.back(), geometry::position(leg.back().pose)) < same_m;
+  if (!is_ours) {
+    quiet_since_ = now - settle;  // who leads it now is somebody else
+    return;
+  }
+  const std::size_t at = vehicle.mission == "done" ? vehicle.way.size() : vehicle.waypoint;
+  const std::size_t left = vehicle.way.size() - std::min(at, vehicle.way.size());
+  for (std::size_t nodes = leg.size(); nodes > left; --nodes) book_.traverse();
+}
+
 std::vector<Request> Gateway::update(const Vehicle& vehicle, Time now) {
+  if (is_resuming_) {
+    if (!vehicle.pose || vehicle.mission.empty()) return {};
+    led_ = quiet_since_ = now;
+    go_on(vehicle, now);
+  }
   follow_mode(vehicle, now);
   follow_cancel(now);
   follow_instants(vehicle, now);
@@ -176,6 +209,7 @@ void Gateway::drive_on(const Vehicle& vehicle, Time now) {
 
 Mode Gateway::mode(const Vehicle& vehicle) const {
   if (is_foreign_) return Mode::manual;
+  if (!knows(vehicle)) return Mode::startup;
   return vehicle.driver.empty() ? Mode::automatic : Mode::intervened;
 }
 

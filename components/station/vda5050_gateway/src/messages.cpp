@@ -100,6 +100,8 @@ const char* mode_word(const Gateway& gateway, const Vehicle& vehicle) {
       return "AUTOMATIC";
     case Mode::intervened:
       return is_new(gateway) ? "INTERVENED" : "MANUAL";
+    case Mode::startup:
+      return is_new(gateway) ? "STARTUP" : "MANUAL";
     case Mode::manual:
       break;
   }

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "vda5050_gateway/vda5050_gateway_component.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <utility>
 
 #include "foundation/error.hpp"
 #include "foundation/printable.hpp"
+#include "foundation/read_file.hpp"
+#include "foundation/replace_file.hpp"
 #include "geometry/pose_message.hpp"
 #include "navigation/map_loader.hpp"
 #include "runtime/component_entry.hpp"
@@ -18,6 +23,7 @@ using std::chrono::hours;
 
 constexpr double rate_hz = 10;
 constexpr Duration answer_limit = std::chrono::seconds(5);
+constexpr std::size_t longest_order = 4 * vda5050::most_message_bytes;
 constexpr Duration result_limit = hours(24 * 365);
 /// Of a pose that somebody tells, as rviz2 has it: 0.5 m and 15 degrees.
 constexpr double told_variance_m2 = 0.25;
@@ -86,7 +92,9 @@ Vda5050GatewayComponent::Vda5050GatewayComponent(Context& context, const Params&
                                                  const vda5050::Connect& connect)
     : Component(context),
       gateway_(gateway_of(params)),
-      publications_(identity_of(params), params.publications) {
+      publications_(identity_of(params), params.publications),
+      file_(context.state_path(".order")) {
+  load();
   const vda5050::Identity& identity = gateway_.identity();
   broker_ = connect(address_of(params), publications_.will(wall_ns(bus().now())),
                     {identity.topic("order"), identity.topic("instantActions")});
@@ -108,7 +116,30 @@ void Vda5050GatewayComponent::tick(Time now) {
   take_drive(now);
   take_broker(now);
   for (const vda5050::Request& request : gateway_.update(vehicle_, now)) obey(request, now);
+  save();
   publish(now);
+}
+
+/// Only of this launch: later the vehicle stands, and fleet control knows better.
+void Vda5050GatewayComponent::load() {
+  if (file_.empty() || !std::filesystem::exists(file_)) return;
+  const auto saved = nlohmann::json::parse(read_file(file_, longest_order), nullptr, false);
+  const bool is_ours = saved.is_object() && saved.value("parent", 0) == ::getppid();
+  auto book =
+      is_ours ? vda5050::OrderBook::restore(saved.value("order", nlohmann::json())) : std::nullopt;
+  if (book) gateway_.resume(std::move(*book));
+}
+
+/// What fleet control is told of an order is kept before it is told.
+void Vda5050GatewayComponent::save() {
+  if (file_.empty()) return;
+  const nlohmann::json kept = {{"parent", ::getppid()}, {"order", gateway_.order().save()}};
+  std::string text = kept.dump();
+  if (text == saved_) return;
+  if (const auto error = replace_file(file_, text, Sync::no)) {
+    log().warn("{}: {}", file_, error.message());
+  }
+  saved_ = std::move(text);
 }
 
 void Vda5050GatewayComponent::take_inputs() {
@@ -123,7 +154,16 @@ void Vda5050GatewayComponent::take_inputs() {
     vehicle_.navigation = status->state();
     vehicle_.navigation_reason = status->reason();
   }
-  if (const auto mission = mission_.take_latest()) vehicle_.mission = mission->state();
+  if (const auto mission = mission_.take_latest()) {
+    vehicle_.mission = mission->state();
+    vehicle_.waypoint = mission->waypoint();
+  }
+  if (const auto way = way_.take_latest()) {
+    vehicle_.way.clear();
+    for (const auto& stamped : way->poses()) {
+      vehicle_.way.push_back(geometry::position(geometry::pose_in(stamped.pose())));
+    }
+  }
   if (const auto driver = driver_.take_latest()) vehicle_.driver = driver->driver();
   if (const auto docking = docking_.take_latest()) {
     vehicle_.docking_run = docking->run();

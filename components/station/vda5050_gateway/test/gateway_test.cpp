@@ -145,6 +145,20 @@ TEST_F(GatewayTest, WhoDrivesByHandIntervenesAndTheOrderStays) {
   EXPECT_FALSE(sut.order().is_idle());
 }
 
+TEST_F(GatewayTest, TakesNoOrderBeforePositionAndMissionWereHeard) {
+  for (const bool is_placed : {false, true}) {
+    vehicle.pose.reset();
+    vehicle.mission = is_placed ? "" : "idle";
+    if (is_placed) vehicle.pose = geometry::Pose{};
+    order(texts.order(2, 2));
+    EXPECT_EQ(sut.mode(vehicle), Mode::startup);
+    EXPECT_THAT(errors(), ElementsAre(ErrorType::mobile_robot_not_available));
+  }
+  vehicle.mission = "idle";
+  order(texts.order(2, 2));
+  EXPECT_THAT(errors(), IsEmpty());
+}
+
 TEST_F(GatewayTest, ADriveThatNobodyKnowsAnyMoreIsAskedForAgain) {
   order(texts.order(3, 3));
   take();
@@ -185,6 +199,68 @@ TEST_F(GatewayTest, TellsThatTheVehicleDoesNotKnowWhereItIs) {
 TEST_F(GatewayTest, ErrorsDoNotPileUp) {
   for (int i = 0; i < 100; ++i) order({{"headerId", i}});
   EXPECT_THAT(errors(), ElementsAre(ErrorType::validation_failure));
+}
+
+/// A gateway that takes the place of one that was driving a, b, c and died.
+class SuccessorTest : public GatewayTest {
+ protected:
+  SuccessorTest() {
+    order(texts.order(4, 3));
+    take();
+    successor.resume(*OrderBook::restore(sut.order().save()));
+    vehicle.way = {{1, 0}, {2, 0}};
+    vehicle.mission = "running";
+  }
+  std::vector<Request> update() {
+    now += seconds(0.1);
+    return successor.update(vehicle, now);
+  }
+  Gateway successor{params(Version::v3_0)};
+};
+
+TEST_F(SuccessorTest, WaitsUntilItKnowsTheVehicle) {
+  vehicle.mission = "";
+  EXPECT_THAT(update(), IsEmpty());
+  EXPECT_EQ(successor.mode(vehicle), Mode::startup);
+  vehicle.mission = "running";
+  EXPECT_EQ(update().size(), 1u);
+  EXPECT_EQ(successor.mode(vehicle), Mode::automatic);
+}
+
+TEST_F(SuccessorTest, DrivesWhatIsLeftAndKnowsWhatWasReached) {
+  vehicle.waypoint = 1;
+  const auto requests = update();
+  ASSERT_EQ(requests.size(), 1u);
+  EXPECT_EQ(requests[0].kind, Kind::drive);
+  ASSERT_EQ(requests[0].poses.size(), 1u);
+  EXPECT_EQ(requests[0].poses[0].x_m, 2);
+  EXPECT_EQ(successor.order().last_node(), "b");
+}
+
+TEST_F(SuccessorTest, ALegThatEndedMeanwhileIsReached) {
+  vehicle.mission = "done";
+  EXPECT_THAT(update(), IsEmpty());
+  EXPECT_EQ(successor.order().last_node(), "c");
+  EXPECT_TRUE(successor.order().has_horizon());
+}
+
+TEST_F(SuccessorTest, WithoutAMissionItDrivesTheLegAnew) {
+  vehicle.mission = "idle";
+  vehicle.way.clear();
+  EXPECT_EQ(update().at(0).poses.size(), 2u);
+}
+
+TEST_F(SuccessorTest, LeavesTheVehicleToOthersWhoLeadIt) {
+  for (const char* mission : {"running", "paused"}) {
+    Gateway other{params(Version::v3_0)};
+    other.resume(*OrderBook::restore(sut.order().save()));
+    vehicle.mission = mission;
+    if (vehicle.mission == "running") vehicle.way = {{5, 5}};
+    EXPECT_THAT(other.update(vehicle, now), IsEmpty()) << mission;
+    EXPECT_EQ(other.mode(vehicle), Mode::manual);
+    EXPECT_TRUE(other.order().is_idle());
+    vehicle.way = {{1, 0}, {2, 0}};
+  }
 }
 
 }  // namespace

@@ -173,5 +173,37 @@ TEST_F(OrderBookTest, ActionsOfAHorizonThatIsReplacedAreGone) {
   for (const ActionState& state : sut_.actions()) EXPECT_EQ(state.status, ActionStatus::failed);
 }
 
+TEST_F(OrderBookTest, ASuccessorHasAllOfIt) {
+  json order = texts_.order(4, 3);
+  order["nodes"][1]["actions"].push_back(OrderTexts::action("startCharging", "c1", {{"k", 2}}));
+  take(order);
+  sut_.traverse();
+  sut_.due()->status = ActionStatus::running;
+  auto restored = OrderBook::restore(json::parse(sut_.save().dump()));
+  ASSERT_TRUE(restored);
+  EXPECT_EQ(restored->due()->status, ActionStatus::waiting) << "it begins again";
+  sut_ = *restored;
+  EXPECT_THAT(left(), ElementsAre("c", "d?"));
+  EXPECT_EQ(sut_.last_node(), "b");
+  EXPECT_EQ(sut_.due()->action.number("k"), 2);
+  take(order);
+  EXPECT_EQ(taken_, Taken::repetition);
+  EXPECT_EQ(take(update(texts_.order(2, 2, 2), 1)), std::nullopt);
+}
+
+TEST_F(OrderBookTest, WhatIsNoneIsNotRestored) {
+  take(texts_.order(3, 3));
+  const json saved = sut_.save();
+  for (const auto& [key, value] : saved.items()) {
+    json broken = saved;
+    broken.erase(key);
+    EXPECT_FALSE(OrderBook::restore(broken)) << key;
+  }
+  json uneven = saved;
+  uneven["edges"].erase(0);
+  EXPECT_FALSE(OrderBook::restore(uneven));
+  EXPECT_FALSE(OrderBook::restore(json(3)));
+}
+
 }  // namespace
 }  // namespace tocsin::vda5050

@@ -95,6 +95,7 @@ class Vda5050GatewayComponentTest : public ::testing::Test {
     run(0.2);
     hear();
     locate(0);
+    mission("idle");
     run(0.5);
   }
   void run(double s) { bus_.run_for(seconds(s)); }

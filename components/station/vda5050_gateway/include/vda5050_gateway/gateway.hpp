@@ -15,8 +15,9 @@
 
 namespace tocsin::vda5050 {
 
-/// Who has the vehicle, as `operatingMode` of 3.0 has it; 2.1 calls `intervened` manual.
-enum class Mode : std::uint8_t { automatic, intervened, manual };
+/// Who has the vehicle, as `operatingMode` of 3.0 has it; 2.1 knows the first and the last one.
+/// `startup`: where it is, or who leads it, was not heard yet.
+enum class Mode : std::uint8_t { automatic, intervened, startup, manual };
 
 /// One vehicle as a fleet manager knows it: takes orders and instant actions, says what the vehicle
 /// shall do, and what has become of it.
@@ -39,6 +40,10 @@ class Gateway {
   static constexpr std::size_t most_instant_actions = 100;
 
   explicit Gateway(Params params);
+  /// Goes on with the order of a gateway before it, from what that has saved, as soon as position
+  /// and mission are known: from where the mission is, where it is a leg of this order. Where
+  /// others lead the vehicle, and in a pause, the order is over.
+  void resume(OrderBook book);
 
   void on_order(const std::string& text, const Vehicle& vehicle);
   void on_instant_actions(const std::string& text, const Vehicle& vehicle, Time now);
@@ -66,6 +71,8 @@ class Gateway {
     Time since{};
     Time asked{};
   };
+  [[nodiscard]] bool knows(const Vehicle& vehicle) const;
+  void go_on(const Vehicle& vehicle, Time now);
   void refuse(Fault why);
   [[nodiscard]] std::optional<Fault> refuse_places(const Order& order) const;
   void begin_instant(const Action& action, const Vehicle& vehicle, Time now);
@@ -94,6 +101,7 @@ class Gateway {
   std::optional<Fault> blocked_;         // of the present order
   std::vector<Request> requests_;
 
+  bool is_resuming_ = false;  // an earlier order, once the vehicle is known
   bool pause_wanted_ = false;
   bool was_paused_ = false;               // since that was asked for
   Time pause_asked_{};                    // when that, or its end, was last asked for

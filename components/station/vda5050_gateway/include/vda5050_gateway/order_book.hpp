@@ -68,6 +68,9 @@ class OrderBook {
   [[nodiscard]] const std::vector<ActionState>& actions() const { return actions_; }
   /// The action that is to be done now, or is being done, on the last node; null: none.
   [[nodiscard]] ActionState* due();
+  /// All of it, for a successor; and from that. Nothing: it is none.
+  [[nodiscard]] nlohmann::json save() const;
+  [[nodiscard]] static std::optional<OrderBook> restore(const nlohmann::json& saved);
   /// Where the vehicle says that it stands, without an order: after its pose was set.
   void stand_on(const std::string& node) { last_node_ = node; }
 

@@ -81,12 +81,15 @@ class Vda5050GatewayComponent final : public Component {
   template <class Topic>
   void say(Output<Topic>& output, const char* word);
   void publish(Time now);
+  void load();
+  void save();
   [[nodiscard]] std::int64_t wall_ns(Time now) { return bus().wall_ns(now); }
 
   Input<topic::Location> location_{*this, WakeMode::time_triggered};
   Input<topic::NavigationStatus> navigation_{*this};
   Input<topic::MissionStatus> mission_{*this};
   Input<topic::LinkStop> link_{*this, WakeMode::time_triggered};
+  OptionalInput<topic::MissionPath> way_{*this};
   OptionalInput<topic::BatteryState> battery_{*this};
   OptionalInput<topic::SafetyStatus> safety_{*this};
   OptionalInput<topic::DriverState> driver_{*this};
@@ -103,6 +106,8 @@ class Vda5050GatewayComponent final : public Component {
   std::optional<Time> heard_;  // when the router last told of the vehicle
   std::optional<GoalId> goal_;
   std::unique_ptr<vda5050::Broker> broker_;
+  std::string file_;  // of the order, for a successor; empty: none is kept
+  std::string saved_;
   std::uint64_t connections_ = 0;
   std::string trouble_;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -18,6 +19,8 @@ struct Vehicle {
   std::string navigation;              ///< as NavigationStatus.state
   std::string navigation_reason;       ///< as NavigationStatus.reason
   std::string mission;                 ///< as MissionStatus.state
+  std::size_t waypoint = 0;            ///< of the mission, that is driven to, from 0
+  std::vector<geometry::Point> way;    ///< all waypoints of the mission
   double charge_percent = 0;           ///< 0 while it is not known
   std::optional<double> voltage_v;
   bool is_charging = false;
