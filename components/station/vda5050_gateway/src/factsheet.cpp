@@ -68,29 +68,34 @@ json parameters_of(const Offered& action) {
   return all;
 }
 
-json features(Version version) {
-  const bool is_new = version == Version::v3_0;
-  json optional = json::array();
+json optional_parameters(bool is_new) {
+  json all = json::array();
   for (const Field& field : fields) {
     if (!(is_new ? field.is_in_30 : field.is_in_21)) continue;
-    optional.push_back({{"parameter", field.name}, {"support", field.support}});
-    if (*field.description != '\0') optional.back()["description"] = field.description;
+    all.push_back({{"parameter", field.name}, {"support", field.support}});
+    if (*field.description != '\0') all.back()["description"] = field.description;
   }
+  return all;
+}
+
+json described(const Offered& action, bool is_new) {
+  json one = {{"actionType", action.type},
+              {"actionScopes", json::array({"INSTANT"})},
+              {"actionParameters", parameters_of(action)}};
+  if (action.is_on_nodes) one["actionScopes"].push_back("NODE");
+  if (!is_new) return one;
+  // Texts in the schema of 3.0.0, truth values in its tables.
+  one["pauseAllowed"] = "false";
+  one["cancelAllowed"] = action.is_on_nodes ? "true" : "false";
+  one["blockingTypes"] = json::array({"NONE", "SOFT", "HARD"});
+  return one;
+}
+
+json features(Version version) {
+  const bool is_new = version == Version::v3_0;
   json actions = json::array();
-  for (const Offered& action : actions_of(version)) {
-    json one = {{"actionType", action.type},
-                {"actionScopes", json::array({"INSTANT"})},
-                {"actionParameters", parameters_of(action)}};
-    if (action.is_on_nodes) one["actionScopes"].push_back("NODE");
-    if (is_new) {
-      // Texts in the schema of 3.0.0, truth values in its tables.
-      one["pauseAllowed"] = "false";
-      one["cancelAllowed"] = action.is_on_nodes ? "true" : "false";
-      one["blockingTypes"] = json::array({"NONE", "SOFT", "HARD"});
-    }
-    actions.push_back(std::move(one));
-  }
-  return {{"optionalParameters", std::move(optional)},
+  for (const Offered& action : actions_of(version)) actions.push_back(described(action, is_new));
+  return {{"optionalParameters", optional_parameters(is_new)},
           {is_new ? "mobileRobotActions" : "agvActions", std::move(actions)}};
 }
 

@@ -50,15 +50,7 @@ void Gateway::begin_instant(const Action& action, const Vehicle& vehicle, Time n
       std::any_of(instants_.begin(), instants_.end(),
                   [&](const ActionState& state) { return state.action.id == action.id; });
   if (is_known) return;  // sent again
-  const bool is_new = params_.identity.version == Version::v3_0;
-  if (!is_new || action.type == "clearInstantActions") {
-    // 2.1 has no word for it: what has ended makes room for what comes.
-    const bool is_full = instants_.size() >= most_instant_actions;
-    if (is_new || is_full) {
-      instants_.erase(std::remove_if(instants_.begin(), instants_.end(), has_ended),
-                      instants_.end());
-    }
-  }
+  make_room(action);
   if (instants_.size() >= most_instant_actions) {
     invalid_action_ = Fault{ErrorType::instant_action_states_full,
                             "clearInstantActions first",
@@ -66,23 +58,39 @@ void Gateway::begin_instant(const Action& action, const Vehicle& vehicle, Time n
     return;
   }
   instants_.push_back({action, ActionStatus::running});
-  ActionState& state = instants_.back();
   invalid_action_.reset();
   wants_state_ = true;
-  const std::string& type = action.type;
+  begin(instants_.back(), vehicle, now);
+}
+
+/// Of what has ended: when fleet control says so; 2.1 has no word for it.
+void Gateway::make_room(const Action& action) {
+  const bool is_asked = is_new() && action.type == "clearInstantActions";
+  if (!is_asked && (is_new() || instants_.size() < most_instant_actions)) return;
+  instants_.erase(std::remove_if(instants_.begin(), instants_.end(), has_ended), instants_.end());
+}
+
+void Gateway::begin(ActionState& state, const Vehicle& vehicle, Time now) {
+  const std::string& type = state.action.type;
   if (type == "cancelOrder") return begin_cancel(state);
-  if (type == "startCharging") return begin_docking(state, vehicle, now);
-  if (type == (is_new ? "initializePosition" : "initPosition")) return begin_pose(state, now);
   if (type == "startPause" || type == "stopPause") {
     pause_wanted_ = type == "startPause";
     was_paused_ = false;
     pause_asked_ = Time{};
     return;
   }
+  const bool sets_pose = type == (is_new() ? "initializePosition" : "initPosition");
+  if (sets_pose || type == "startCharging") {
+    const Mode who = mode(vehicle);  // a position may be what it waits for
+    if (who != Mode::automatic && !(sets_pose && who == Mode::startup)) {
+      return fail_instant(state, "fleet control is not in control");
+    }
+    return sets_pose ? begin_pose(state, now) : begin_docking(state, vehicle, now);
+  }
   state.status = ActionStatus::finished;
   if (type == "factsheetRequest") {
     wants_factsheet_ = true;
-  } else if (type != "stateRequest" && !(is_new && type == "clearInstantActions")) {
+  } else if (type != "stateRequest" && !(is_new() && type == "clearInstantActions")) {
     fail_instant(state, "'" + printable(type) + "' is not an instant action of this vehicle");
   }
 }

@@ -196,6 +196,19 @@ TEST_F(GatewayActionsTest, ChargesAtOnceWhereItStands) {
   EXPECT_EQ(status(instant("startCharging")), ActionStatus::failed) << "it drives";
 }
 
+TEST_F(GatewayActionsTest, WhereOthersLeadItNeitherDocksNorIsMoved) {
+  vehicle.driver = "anna";
+  const json place = {{"x", 3}, {"y", 1}, {"theta", 0.5}};
+  EXPECT_EQ(status(instant("startCharging")), ActionStatus::failed);
+  EXPECT_EQ(status(instant("initializePosition", place)), ActionStatus::failed);
+  EXPECT_THAT(kinds(), IsEmpty());
+  vehicle.driver = "";
+  vehicle.pose.reset();
+  EXPECT_EQ(status(instant("startCharging")), ActionStatus::failed);
+  instant("initializePosition", place);
+  EXPECT_THAT(kinds(), ElementsAre(Kind::set_pose)) << "that is what it waits for";
+}
+
 TEST_F(GatewayActionsTest, ThePositionIsSetWhenTheVehicleHasIt) {
   const json place = {{"x", 3}, {"y", 1}, {"theta", 0.5}, {"mapId", "map"}, {"lastNodeId", "n"}};
   const std::string id = instant("initializePosition", place);

@@ -71,11 +71,14 @@ class Gateway {
     Time since{};
     Time asked{};
   };
+  [[nodiscard]] bool is_new() const { return params_.identity.version == Version::v3_0; }
   [[nodiscard]] bool knows(const Vehicle& vehicle) const;
   void go_on(const Vehicle& vehicle, Time now);
   void refuse(Fault why);
   [[nodiscard]] std::optional<Fault> refuse_places(const Order& order) const;
   void begin_instant(const Action& action, const Vehicle& vehicle, Time now);
+  void make_room(const Action& action);
+  void begin(ActionState& state, const Vehicle& vehicle, Time now);
   void begin_cancel(ActionState& state);
   void begin_pose(ActionState& state, Time now);
   void fail_instant(ActionState& state, std::string why);
