@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Drives the page in Chromium, as an operator does, against the stand-in server. run.mjs starts it.
 import assert from "node:assert/strict";
+import { once } from "node:events";
+import net from "node:net";
 import { after, before, describe, it } from "node:test";
 
 import { Operator, eventually, wait } from "./operator.mjs";
@@ -347,5 +349,99 @@ describe("Page in Chromium", { concurrency: false }, () => {
 
   it("complains of nothing in the console", () => {
     assert.deepEqual(operator.complaints, []);
+  });
+});
+
+async function freePort() {
+  const server = net.createServer().listen(0, "127.0.0.1");
+  await once(server, "listening");
+  const { port } = server.address();
+  server.close();
+  await once(server, "close");
+  return port;
+}
+
+describe("Fleet page in Chromium", { concurrency: false }, () => {
+  let servers;
+  let person;
+  /** As they stand on the page, from above. */
+  const rows = () =>
+    person.page.$$eval(".vehicle-row", (all) => {
+      const top = (one) => one.getBoundingClientRect().top;
+      return all.sort((a, b) => top(a) - top(b)).map((one) => [one.querySelector("h3").textContent, one.className]);
+    });
+  const stops = (server) => server.state.commands.filter(({ topic, message }) => topic === "/emergency_stop/request" && message.data);
+
+  before(async () => {
+    const ports = [await freePort(), await freePort()];
+    const fleet = ports.map((port, index) => `uxv${index + 1}=http://127.0.0.1:${port}/`).join(" ");
+    const map = { image: options.map, resolution: 0.05, x: -19, y: -8 };
+    servers = await Promise.all(ports.map((port, index) =>
+      startStandIn({ page: options.page, bag: options.bag, from: 36, port, map, about: { vehicle: `uxv${index + 1}`, fleet } })));
+    person = await Operator.open(`http://127.0.0.1:${ports[0]}/fleet.html`, options);
+  });
+  after(async () => {
+    await person?.close();
+    for (const server of servers ?? []) server.close();
+  });
+
+  it("shows all vehicles in a list and on the map", async () => {
+    await person.until("two missions", () => {
+      const all = [...document.querySelectorAll(".vehicle-row")];
+      return all.length === 2 && all.every((one) => one.textContent.includes("running"));
+    });
+    const painted = await person.page.$eval(".map canvas", (canvas) => {
+      const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+      return new Set(new Uint32Array(data.buffer)).size;
+    });
+    assert.ok(painted > 10, `the map has ${painted} colours`);
+    assert.equal(await person.page.$eval(".vehicle-row a", (link) => new URL(link.href).pathname), "/");
+  });
+
+  it("stops one, which comes first then, and tells that in the alarms", async () => {
+    await person.page.evaluate(() => {
+      [...document.querySelectorAll(".vehicle-row")].find((one) => one.textContent.startsWith("uxv2")).querySelector(".press").click();
+    });
+    await person.reads(".vehicle-row.is-error", "uxv2");
+    assert.deepEqual((await rows())[0], ["uxv2", "vehicle-row is-error"]);
+    assert.equal(stops(servers[0]).length, 0);
+    await person.reads(".alarm.is-error", "The vehicle stands: emergency stop of station");
+    if (options.pictures) await person.page.screenshot({ path: `${options.pictures}/fleet.png` });
+    await person.page.click(".alarm.is-error button");
+    await person.reads(".alarm.is-known", "uxv2");
+  });
+
+  it("stops all by the space bar", async () => {
+    await person.page.keyboard.press("Space");
+    await eventually("a stop of both", () => servers.every((server) => stops(server).length > 0));
+    await person.until("both stand", () => document.querySelectorAll(".vehicle-row .stop.stands").length === 2);
+  });
+
+  it("tells of a vehicle whose server is gone", async () => {
+    servers[1].close();
+    await person.until("no connection", () => {
+      const row = [...document.querySelectorAll(".vehicle-row")].find((one) => one.textContent.startsWith("uxv2"));
+      return row?.textContent.includes("No connection to the station");
+    });
+    assert.equal((await rows())[0][0], "uxv2");
+  });
+
+  it("is reached from a vehicle's page", async () => {
+    await person.page.goto(`http://127.0.0.1:${servers[0].port}/`);
+    await person.reads(".brand a", "fleet");
+    assert.equal(await person.page.$eval(".brand a", (link) => new URL(link.href).pathname), "/fleet.html");
+  });
+
+  it("is as wide as a phone", async () => {
+    await person.page.goto(`http://127.0.0.1:${servers[0].port}/fleet.html`);
+    await person.until("the list", () => document.querySelectorAll(".vehicle-row").length === 2);
+    for (const [width, height] of sizes) {
+      await person.page.setViewport({ width, height });
+      await wait(300);
+      assert.deepEqual(await person.page.evaluate(misplaced), [], `${width} x ${height}`);
+      const hidden = () => [".vehicle-row .press", ".panel.alarms", ".map canvas", ".top .press"].filter((one) => !document.querySelector(one)?.getClientRects().length);
+      assert.deepEqual(await person.page.evaluate(hidden), [], `${width} x ${height}`);
+      if (options.pictures) await person.page.screenshot({ path: `${options.pictures}/fleet_${width}.png`, fullPage: true });
+    }
   });
 });

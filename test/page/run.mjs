@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Drives the installed page in Chromium: over a bag of a simulated mission (browser), or over a whole
 // mission with the real server (mission), or measures how fast it is (measure). Without a browser: what the
-// alert line says at recorded moments (moments). In place of the page: Foxglove Studio (studio).
-// usage: node run.mjs browser|mission|measure|moments|studio --install=PREFIX [--page=FOLDER] [--pictures=FOLDER] [--gtest_output=xml:FILE]
+// alert line says at recorded moments (moments). In place of the page: Foxglove Studio (studio). Or a page of
+// two vehicles with their real servers (fleet).
+// usage: node run.mjs browser|mission|fleet|measure|moments|studio --install=PREFIX [--page=FOLDER] [--pictures=FOLDER] [--gtest_output=xml:FILE]
 import { spawnSync } from "node:child_process";
 import fs from "node:fs";
 import os from "node:os";
@@ -57,11 +58,19 @@ function makeBag() {
   return path.join(folder, "run/gcs/bag/bag_0.mcap");
 }
 
+/** Two of the five vehicles. */
+function makeFleet() {
+  const file = path.join(folder, "two.yaml");
+  fs.writeFileSync(file, "extends: fleet.yaml\nvehicles: {uxv2: ~, uxv4: ~, uxv5: ~}\nradio: {channel: \"${share}/config/radio/open.yaml\"}\n");
+  return file;
+}
+
 process.env.PAGE_TEST = JSON.stringify({
   ...{ chromium, tocsin, folder },
   page: index && path.dirname(index),
   share: bringup && path.join(path.dirname(bringup), ".."),
-  bag: ["mission", "moments", "studio"].includes(which) ? undefined : makeBag(),
+  bag: ["mission", "fleet", "moments", "studio"].includes(which) ? undefined : makeBag(),
+  fleet: which === "fleet" ? makeFleet() : undefined,
   map: installed("bringup", "share/tocsin/config/maps/classroom.pgm"),
   pictures: option("pictures"),
 });

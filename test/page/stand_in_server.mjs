@@ -125,7 +125,7 @@ const stamp = () => ({ sec: Math.floor(Date.now() / 1000), nanosec: 0 });
 const nowNs = () => BigInt(Date.now()) * 1_000_000n;
 
 /** Starts it. `commands`: what clients have published, as { topic, at, message }. */
-export async function startStandIn({ page, bag, port = 0, from = 0, map, trailS = 0 }) {
+export async function startStandIn({ page, bag, port = 0, from = 0, map, trailS = 0, about = {} }) {
   const { channels, messages } = await readBag(bag);
   const [first, last] = [messages[0].at / 1000, messages.at(-1).at / 1000];
   const bags = [{ path: "gcs/bag/bag_0.mcap", bytes: fs.statSync(bag).size, begin_s: first, end_s: last },
@@ -149,7 +149,7 @@ export async function startStandIn({ page, bag, port = 0, from = 0, map, trailS 
     name: "stand-in",
     capabilities: [ServerCapability.clientPublish, ServerCapability.services, ServerCapability.time],
     supportedEncodings: ["cdr"],
-    metadata: { tocsin: "0.1.0", host: "gcs" },
+    metadata: { tocsin: "0.1.0", host: "gcs", ...about },
   });
   const ids = new Map();
   for (const channel of channels.values()) {

@@ -12,15 +12,13 @@ import { OperatorPlace } from "./operator/place.ts";
 import { Recordings } from "./operator/recordings.ts";
 import { EmergencyStopOrder, type StopHeard } from "./orders/emergency_stop.ts";
 import { WhatIfQuery } from "./orders/what_if_query.ts";
+import { pageNow } from "./page_now.ts";
 import { Connection, type ServerInfo } from "./protocol/connection.ts";
 import { emergencyStopRequest } from "./protocol/published.ts";
 import { StationFiles } from "./protocol/station_files.ts";
 import type { BagSource } from "./replay/bag_source.ts";
 
 const random64 = (): bigint => crypto.getRandomValues(new BigUint64Array(1))[0] ?? 1n;
-
-/** The time of the page [ms]: never goes back. */
-export const pageNow = (): number => performance.timeOrigin + performance.now();
 
 export class Operator {
   /** The vehicle and the link as they are now. */

@@ -221,12 +221,23 @@ describe("Connection", () => {
     const { sut, last } = setUp();
     assert.equal(sut.publish(emergencyStopRequest, { data: true }), false);
     last().onopen?.({});
+    last().says({ op: "serverInfo", name: "test", capabilities: [] });
     assert.ok(last().ops().includes("advertise"));
     assert.equal(sut.publish(emergencyStopRequest, { data: true }), true);
     const frame = last().sent.at(-1) as Uint8Array;
     assert.deepEqual([...frame.subarray(5)], [0, 1, 0, 0, 1]);
     last().onclose?.({ code: 1001 });
     assert.equal(sut.publish(emergencyStopRequest, { data: true }), false);
+  });
+  it("is in the namespace of its vehicle, and hears and writes no other's", () => {
+    const { last } = setUp();
+    last().onopen?.({});
+    last().says({ op: "serverInfo", name: "test", capabilities: [], metadata: { namespace: "uxv1" } });
+    const topics = last().sent.flatMap((one) => (typeof one === "string" ? (JSON.parse(one).channels ?? []) : []) as { topic: string }[]);
+    assert.ok(topics.some(({ topic }) => topic === "/uxv1/emergency_stop/request"));
+    assert.ok(topics.every(({ topic }) => topic.startsWith("/uxv1/")));
+    for (const [index, topic] of ["/lamp", "/uxv10/lamp", "/uxv2/lamp", "/uxv1/lamp"].entries()) last().says(advertised(topic, index));
+    assert.deepEqual(last().subscriptions().map(({ channelId }) => channelId), [3]);
   });
   it("lets a topic rest that nobody looks at, and takes it up again", () => {
     const { sut, last } = setUp();

@@ -116,6 +116,10 @@ std::string bus_name(const std::string& name, const std::string& ros_namespace) 
   return name.compare(0, home.size(), home) == 0 ? name.substr(home.size()) : name;
 }
 
+std::string writable_in(const std::string& ros_namespace, const std::string& topic) {
+  return ros_namespace.empty() ? topic : "/" + ros_namespace + topic;
+}
+
 TopicInfo bus_topic(const std::string& name, const TypeInfo& type, const char* qos,
                     const std::string& ros_namespace) {
   const std::string known_as = bus_name(name, ros_namespace);

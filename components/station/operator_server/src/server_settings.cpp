@@ -10,6 +10,9 @@
 #include "foundation/error.hpp"
 #include "foundation/printable.hpp"
 #include "foundation/read_file.hpp"
+#include "operator_server/fleet_pages.hpp"
+#include "operator_server/host_picture.hpp"
+#include "runtime/host_control.hpp"
 #include "runtime/middleware/component_library.hpp"
 
 namespace tocsin::foxglove {
@@ -59,10 +62,16 @@ HubSettings hub_settings(const Context& context, const OperatorServerComponent::
       std::to_string(context.bus.wall_ns(context.bus.now())) + "-" + std::to_string(::getpid());
   settings.server.metadata = {{"tocsin", TOCSIN_VERSION}, {"host", to_string(context.role)}};
   if (!params.vehicle.empty()) settings.server.metadata["vehicle"] = params.vehicle;
+  const std::string fleet = fleet_text(fleet_pages(context.name, params.fleet));
+  if (!fleet.empty()) settings.server.metadata["fleet"] = fleet;
   const std::string access_point = access_point_text(context, params);
   if (!access_point.empty()) settings.server.metadata["access_point"] = access_point;
   settings.backlog = static_cast<std::size_t>(params.backlog);
-  settings.writable = params.writable;
+  const std::string& ros_namespace = context.bus.host_control().ros_namespace();
+  if (!ros_namespace.empty()) settings.server.metadata["namespace"] = ros_namespace;
+  for (const std::string& topic : params.writable) {
+    settings.writable.push_back(writable_in(ros_namespace, topic));
+  }
   return settings;
 }
 
@@ -74,6 +83,9 @@ WebSettings web_settings(const Context& context, const OperatorServerComponent::
   WebSettings settings;
   settings.access = {params.address, token_in(owner, params.token_file),
                      !params.certificate.empty(), params.origins};
+  for (const FleetPage& page : fleet_pages(owner, params.fleet)) {
+    settings.access.origins.push_back(page.origin);
+  }
   check_access(owner, settings.access);
   settings.page =
       params.page.empty()

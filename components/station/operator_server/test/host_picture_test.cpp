@@ -83,5 +83,11 @@ TEST(HostPictureTest, TheGraphNamesNodesAndElseProcesses) {
   EXPECT_THAT(sut.graph.subscribers, ElementsAre(Pair("/odom", ElementsAre("process"))));
 }
 
+TEST(WritableTest, IsWithinTheServersNamespace) {
+  EXPECT_EQ(writable_in("", "/goal"), "/goal");
+  EXPECT_EQ(writable_in("uxv1", "/goal"), "/uxv1/goal");
+  EXPECT_EQ(writable_in("uxv1", "/drive*"), "/uxv1/drive*");
+}
+
 }  // namespace
 }  // namespace tocsin::foxglove

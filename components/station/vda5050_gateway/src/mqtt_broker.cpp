@@ -176,6 +176,21 @@ class MqttBroker final : public Broker {
 
 }  // namespace
 
+void check_files(const BrokerAddress& address) {
+  const std::pair<const char*, const std::string&> files[] = {
+      {"password_file", address.password_file},
+      {"ca_file", address.ca_file},
+      {"certificate_file", address.certificate_file},
+      {"key_file", address.key_file}};
+  for (const auto& [name, file] : files) {
+    if (file.empty() || std::ifstream(file).good()) continue;
+    throw ConfigError(std::string(name) + ": cannot read " + file);
+  }
+  if (address.certificate_file.empty() != address.key_file.empty()) {
+    throw ConfigError("certificate_file and key_file belong together; only one of them is given");
+  }
+}
+
 std::unique_ptr<Broker> connect_mqtt(const BrokerAddress& address, const Message& will,
                                      std::vector<std::string> subscriptions) {
   use_library();

@@ -93,12 +93,22 @@ Vda5050GatewayComponent::Vda5050GatewayComponent(Context& context, const Params&
     : Component(context),
       gateway_(gateway_of(params)),
       publications_(identity_of(params), params.publications),
+      address_(address_of(params)),
+      connect_(connect),
       file_(context.state_path(".order")) {
+  vda5050::check_files(address_);
   load();
-  const vda5050::Identity& identity = gateway_.identity();
-  broker_ = connect(address_of(params), publications_.will(wall_ns(bus().now())),
-                    {identity.topic("order"), identity.topic("instantActions")});
   wake_every(seconds(1 / rate_hz));
+}
+
+/// At the first tick: whoever only looks at a deployment connects to nobody.
+bool Vda5050GatewayComponent::connects(Time now) {
+  if (broker_) return true;
+  if (!context().computer.get().has_spectators) return false;
+  const vda5050::Identity& identity = gateway_.identity();
+  broker_ = connect_(address_, publications_.will(wall_ns(now)),
+                     {identity.topic("order"), identity.topic("instantActions")});
+  return true;
 }
 
 Vda5050GatewayComponent::~Vda5050GatewayComponent() {
@@ -106,6 +116,7 @@ Vda5050GatewayComponent::~Vda5050GatewayComponent() {
 }
 
 void Vda5050GatewayComponent::tick(Time now) {
+  if (!connects(now)) return;
   take_inputs();
   take_reports();
   if (const auto link = link_.take_latest()) {

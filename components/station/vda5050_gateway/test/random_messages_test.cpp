@@ -229,7 +229,7 @@ INSTANTIATE_TEST_SUITE_P(Versions, RandomMessagesTest,
                          [](const auto& one) { return one.param == Version::v2_1 ? "v2" : "v3"; });
 
 TEST_P(RandomMessagesTest, WhatIsRefusedChangesNothingAndWhatIsSentIsJson) {
-  const int steps = std::atoi(environment("TOCSIN_VDA5050_STEPS", "2000").c_str());
+  const int steps = std::atoi(environment("TOCSIN_VDA5050_STEPS", "500").c_str());
   const std::string path = environment("TOCSIN_VDA5050_FILE", "");
   std::ofstream file;
   if (!path.empty()) file.open(path, std::ios::app);

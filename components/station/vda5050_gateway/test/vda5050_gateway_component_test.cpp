@@ -81,6 +81,7 @@ class Vda5050GatewayComponentTest : public ::testing::Test {
  protected:
   Vda5050GatewayComponentTest() {
     params_.serial_number = "uxv1";
+    computer_.has_spectators = true;
     bus_.add(leader_);
   }
   void start() {
@@ -148,7 +149,8 @@ class Vda5050GatewayComponentTest : public ::testing::Test {
   const OrderTexts texts_;
   SimBus bus_;
   Wire wire_;
-  Context context_{bus_, "vda5050_gateway", Role::gcs};
+  Computer computer_;
+  Context context_ = Context(bus_, "vda5050_gateway", Role::gcs).with_computer(computer_);
   Context leader_context_{bus_, "leader", Role::gcs};
   Leader leader_{leader_context_};
   Vda5050GatewayComponent::Params params_;
@@ -309,6 +311,24 @@ TEST_F(Vda5050GatewayComponentTest, ItsEndIsToldAsOffline) {
   start();
   sut_.reset();
   EXPECT_EQ(last("connection")["connectionState"], "OFFLINE");
+}
+
+TEST_F(Vda5050GatewayComponentTest, InSimulatedTimeAndBeforeItsFirstTickItConnectsToNobody) {
+  const Vda5050GatewayComponent looked_at(context_, params_, [](auto&&...) {
+    ADD_FAILURE() << "it connects";
+    return std::unique_ptr<Broker>();
+  });
+  computer_.has_spectators = false;
+  start();
+  EXPECT_THAT(wire_.subscriptions, IsEmpty());
+}
+
+TEST_F(Vda5050GatewayComponentTest, AFileThatCannotBeReadIsNamed) {
+  params_.broker.ca_file = "/nowhere/ca.pem";
+  EXPECT_THAT(error_of_start(), HasSubstr("ca_file: cannot read /nowhere/ca.pem"));
+  params_.broker.ca_file = "";
+  params_.broker.key_file = "/dev/null";
+  EXPECT_THAT(error_of_start(), HasSubstr("belong together"));
 }
 
 TEST_F(Vda5050GatewayComponentTest, ANameThatIsNoLevelOfATopicIsRefused) {

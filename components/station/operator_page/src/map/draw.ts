@@ -230,14 +230,21 @@ export function drawVehicle(sheet: Sheet, pose: Waypoint, ghostAgeMs: number | u
     context.fill();
     context.stroke();
   });
-  if (isGhost) drawNote(sheet, pose, radius, `last seen ${ageText(ghostAgeMs)} ago`);
+  if (isGhost) drawNote(sheet, pose, radius, `last seen ${ageText(ghostAgeMs)} ago`, theme.bad);
+}
+
+/** Whose vehicle it is, above it. */
+export function drawName(sheet: Sheet, place: Point, name: string): void {
+  const radius = Math.max(leastRadiusPx, vehicleRadiusM * sheet.view.scale);
+  drawNote(sheet, place, -radius - 29, name, sheet.theme.text);
 }
 
 /** How far a note of `width` that is centred at `x` is moved so that all of it is seen. */
 export const noteShift = (x: number, width: number, available: number): number =>
   x < 0 || x > available ? 0 : Math.max(width / 2 - x, 0) + Math.min(available - width / 2 - x, 0);
 
-function drawNote(sheet: Sheet, place: Point, radius: number, text: string): void {
+/** `below`: from the place to 5 px above the note. */
+function drawNote(sheet: Sheet, place: Point, below: number, text: string, colour: string): void {
   const { context, theme, view, size } = sheet;
   at(sheet, place, 0, () => {
     context.font = "600 12px system-ui, sans-serif";
@@ -248,10 +255,10 @@ function drawNote(sheet: Sheet, place: Point, radius: number, text: string): voi
     context.translate(noteShift(x, width, size.width), 0);
     context.fillStyle = theme.halo;
     context.globalAlpha = 0.85;
-    context.fillRect(-width / 2, radius + 5, width, 19);
+    context.fillRect(-width / 2, below + 5, width, 19);
     context.globalAlpha = 1;
-    context.fillStyle = theme.bad;
-    context.fillText(text, 0, radius + 8);
+    context.fillStyle = colour;
+    context.fillText(text, 0, below + 8);
   });
 }
 

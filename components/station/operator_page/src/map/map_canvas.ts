@@ -3,10 +3,11 @@
 import { type Freshness, freshness } from "../model/freshness.ts";
 import { type OccupancyGrid, type Waypoint, scanTopics } from "../model/messages.ts";
 import type { Operator } from "../operator.ts";
-import { Backdrop, type Layer } from "./backdrop.ts";
+import { Backdrop } from "./backdrop.ts";
 import { type Sheet, drawDraft, drawEllipse, drawLine, drawPlace, drawRoute, drawScale, drawScan, drawVehicle } from "./draw.ts";
 import { gridPixels, knownBounds, signalPixels } from "./grid.ts";
 import { MapHands } from "./map_hands.ts";
+import { newLayer, pictureOf } from "./picture.ts";
 import { type Theme, readTheme } from "./theme.ts";
 import { type Bounds, type Size, Viewport } from "./viewport.ts";
 import { WayAhead } from "./way.ts";
@@ -189,25 +190,4 @@ export class MapCanvas {
     this.#grid = { of: grid, theme, picture };
     return picture;
   }
-}
-
-function pictureOf({ info: { width, height } }: OccupancyGrid, pixels: Uint8ClampedArray<ArrayBuffer>): CanvasImageSource {
-  const { image, context, resize } = newLayer();
-  resize(width, height);
-  context.putImageData(new ImageData(pixels, width, height), 0, 0);
-  return image;
-}
-
-function newLayer(): Layer {
-  const image = document.createElement("canvas");
-  const context = image.getContext("2d");
-  if (context === null) throw new Error("this browser has no 2D canvas");
-  return {
-    image,
-    context,
-    resize(width: number, height: number): void {
-      image.width = width;
-      image.height = height;
-    },
-  };
 }

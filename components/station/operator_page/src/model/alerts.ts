@@ -13,23 +13,41 @@ export interface Alert {
   readonly text: string;
 }
 
+/** What an alert is about; the worst first. */
+export const alertKinds = ["connection", "silence", "safety", "motion", "paused", "link", "finding", "unknown", "well"] as const;
+export type AlertKind = (typeof alertKinds)[number];
+
 /** The age of what is shown is known when so much of the vehicle's stream was received. */
 const settledAfterMs = 2000;
 const lowBattery = 0.2;
 
+type Look = (connection: ConnectionState, station: Station, now: number) => Alert | undefined;
+
+const looks: { readonly [Kind in AlertKind]: Look } = {
+  connection: (connection, _, now) => connectionAlert(connection, now),
+  silence: (_, station, now) => silenceAlert(station, now),
+  safety: (_, station) => safetyAlert(station),
+  motion: (_, station) => motionAlert(station),
+  paused: (_, station, now) => pausedAlert(station, now),
+  link: (_, station, now) => linkAlert(station, now),
+  finding: (_, station, now) => findingAlert(station, now),
+  unknown: (_, station, now) => unknownAlert(station, now),
+  well: (_, station, now) => wellAlert(station, now),
+};
+
+/** The worst that is the case at `now`, and what it is about. */
+export function findingOf(connection: ConnectionState, station: Station, now: number): Alert & { readonly kind: AlertKind } {
+  for (const kind of alertKinds) {
+    const alert = looks[kind](connection, station, now);
+    if (alert !== undefined) return { ...alert, kind };
+  }
+  return { ...wellAlert(station, now), kind: "well" };
+}
+
 /** The worst that is the case at `now`. */
 export function alertOf(connection: ConnectionState, station: Station, now: number): Alert {
-  return (
-    connectionAlert(connection, now) ??
-    silenceAlert(station, now) ??
-    safetyAlert(station) ??
-    motionAlert(station) ??
-    pausedAlert(station, now) ??
-    linkAlert(station, now) ??
-    findingAlert(station, now) ??
-    unknownAlert(station, now) ??
-    wellAlert(station, now)
-  );
+  const { severity, text } = findingOf(connection, station, now);
+  return { severity, text };
 }
 
 function connectionAlert({ phase, tries, since, reason }: ConnectionState, now: number): Alert | undefined {

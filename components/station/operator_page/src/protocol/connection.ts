@@ -5,7 +5,7 @@ import { type Channel, FoxgloveClient, type IWebSocket, type Service } from "@fo
 
 import { type Decode, type Encode, decoderOf, encoderOf } from "./codec.ts";
 import { type Published, allPublished } from "./published.ts";
-import { plainTopic } from "./topic_name.ts";
+import { nameIn } from "./topic_name.ts";
 
 /** Both names of the protocol; the server chooses. */
 export const subprotocols = ["foxglove.sdk.v1", "foxglove.websocket.v1"];
@@ -74,6 +74,8 @@ export class Connection {
   #retryAt = 0;
   #paused = new Set<string>();
   #known = new Map<string, Channel>();
+  /** Of the vehicle that this server is for, where there are several. */
+  #namespace = "";
 
   constructor(private readonly options: ConnectionOptions) {
     this.state = { phase: "connecting", since: options.now(), tries: 0, reason: "" };
@@ -170,14 +172,14 @@ export class Connection {
     };
     client.on("open", mine(() => this.#opened()));
     client.on("serverInfo", mine((info) => {
+      this.#namespace = info.metadata?.namespace ?? "";
+      this.#advertise();
       options.onServer({ name: info.name, metadata: info.metadata ?? {} });
     }));
     client.on("status", mine((status) => options.onTrouble(status.message)));
     client.on("advertise", mine((channels) => this.#subscribe(channels)));
     client.on("unadvertise", mine((ids) => ids.forEach((id) => this.#unadvertised(id))));
-    client.on("advertiseServices", mine((services) => {
-      for (const service of services) this.#services.set(plainTopic(service.name), service);
-    }));
+    client.on("advertiseServices", mine((services) => services.forEach((service) => this.#served(service))));
     client.on("unadvertiseServices", mine((ids) => {
       for (const [name, { id }] of this.#services) if (ids.includes(id)) this.#services.delete(name);
     }));
@@ -198,15 +200,26 @@ export class Connection {
 
   #opened(): void {
     this.state = { phase: "open", since: this.options.now(), tries: 0, reason: "" };
+  }
+
+  /** Once the namespace is known, which the server tells first. */
+  #advertise(): void {
+    const home = this.#namespace === "" ? "/" : `/${this.#namespace}/`;
     for (const { topic, schemaName } of allPublished) {
-      const id = this.#client?.advertise({ topic: `/${topic}`, schemaName, encoding: "cdr" });
+      const id = this.#client?.advertise({ topic: home + topic, schemaName, encoding: "cdr" });
       if (id !== undefined) this.#channels.set(topic, id);
     }
   }
 
+  #served(service: Service): void {
+    const name = nameIn(this.#namespace, service.name);
+    if (name !== undefined) this.#services.set(name, service);
+  }
+
   #subscribe(channels: Channel[]): void {
     for (const channel of channels) {
-      const topic = plainTopic(channel.topic);
+      const topic = nameIn(this.#namespace, channel.topic);
+      if (topic === undefined) continue;
       this.offered.add(topic);
       if (!this.options.topics.has(topic) || channel.encoding !== "cdr") continue;
       this.#known.set(topic, channel);

@@ -2,9 +2,10 @@
 import type { TargetedPointerEvent } from "preact";
 import { useState } from "preact/hooks";
 
-import { type Operator, pageNow } from "../operator.ts";
+import type { Operator } from "../operator.ts";
 import { whyNotDrive } from "../orders/control_authority.ts";
 import { speedChoices } from "../orders/stick.ts";
+import { pageNow } from "../page_now.ts";
 import { Panel } from "./parts.tsx";
 
 /** Driving by hand: who drives, why not, how fast, and the stick for a finger. */

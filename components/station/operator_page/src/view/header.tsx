@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { type Alert, alertOf } from "../model/alerts.ts";
-import { type Operator, pageNow } from "../operator.ts";
+import type { Operator } from "../operator.ts";
+import { pageNow } from "../page_now.ts";
 import { RecordingsButton } from "./recordings.tsx";
 import { StopButton } from "./stop_button.tsx";
 import { StripView } from "./strip.tsx";
@@ -8,12 +9,14 @@ import { StripView } from "./strip.tsx";
 export function PageHeader({ operator, now }: { operator: Operator; now: number }) {
   const { phase } = operator.connection.state;
   const words = { open: "connected", connecting: "connecting", lost: "not connected" }[phase];
-  const name = operator.server?.metadata.host ?? "";
+  const { vehicle, host } = operator.server?.metadata ?? {};
+  const name = vehicle ?? host ?? "";
   return (
     <header class="top">
       <div class="brand">
         <strong>Tocsin</strong>
         <span class={`connection ${phase}`}>{name ? `${name}, ` : ""}{words}</span>
+        {operator.server?.metadata.fleet && <a href={`fleet.html${window.location.search}`}>fleet</a>}
       </div>
       <StripView operator={operator} now={now} />
       <RecordingsButton operator={operator} />

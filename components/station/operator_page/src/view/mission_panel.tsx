@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { MissionStatus, PlanChoice } from "../model/messages.ts";
-import { type Operator, pageNow } from "../operator.ts";
+import type { Operator } from "../operator.ts";
 import { leads } from "../orders/mission_order.ts";
 import type { Phase } from "../orders/mission_request.ts";
+import { pageNow } from "../page_now.ts";
 import { Panel, Value, number } from "./parts.tsx";
 
 /** How far the mission is, by mission_control's word, and what is asked of it. */

@@ -2,8 +2,9 @@
 import { useEffect, useState } from "preact/hooks";
 
 import { isWriting } from "../keys.ts";
-import { type Operator, pageNow } from "../operator.ts";
+import type { Operator } from "../operator.ts";
 import { isDrivingKey } from "../orders/stick.ts";
+import { pageNow } from "../page_now.ts";
 import { CameraPanel } from "./camera_panel.tsx";
 import { DrivePanel } from "./drive_panel.tsx";
 import { AlertLine, PageHeader } from "./header.tsx";

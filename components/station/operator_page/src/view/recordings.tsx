@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { TargetedEvent } from "preact";
 
-import { type Operator, pageNow } from "../operator.ts";
+import type { Operator } from "../operator.ts";
+import { pageNow } from "../page_now.ts";
 import type { StationBag } from "../protocol/station_files.ts";
 import { bagText } from "../replay/bag_list.ts";
 import { sourceOfFile } from "../replay/bag_source.ts";

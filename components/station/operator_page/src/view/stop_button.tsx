@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useEffect, useState } from "preact/hooks";
 
-import type { Operator } from "../operator.ts";
-import { pageNow } from "../operator.ts";
+import type { EmergencyStopOrder, StopHeard } from "../orders/emergency_stop.ts";
+import { pageNow } from "../page_now.ts";
 
-/** The emergency stop, always in reach, with what the vehicle says of it. */
-export function StopButton({ operator, now }: { operator: Operator; now: number }) {
+/** Who can stop a vehicle. */
+export interface Stopper {
+  readonly stop: EmergencyStopOrder;
+  stopHeard(): StopHeard;
+}
+
+/** The emergency stop, always in reach, with what the vehicle says of it. `hasKey`: the space bar presses it. */
+export function StopButton({ operator, now, hasKey = true }: { operator: Stopper; now: number; hasKey?: boolean }) {
   const [asks, setAsks] = useState(false);
   const { kind, text } = operator.stop.shown(operator.stopHeard(), now);
   useEffect(() => {
@@ -28,11 +34,11 @@ export function StopButton({ operator, now }: { operator: Operator; now: number 
       <button
         type="button"
         class="press"
-        title="Emergency stop (space bar)"
+        title={hasKey ? "Emergency stop (space bar)" : "Emergency stop of this vehicle"}
         onPointerDown={() => operator.stop.press(pageNow())}
         onClick={() => operator.stop.press(pageNow())}
       >
-        STOP<kbd>space</kbd>
+        STOP{hasKey && <kbd>space</kbd>}
       </button>
     </div>
   );

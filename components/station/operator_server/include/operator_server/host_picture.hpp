@@ -47,6 +47,9 @@ using LookAtHost = std::function<HostPicture()>;
 /// `odom` of `/uxv/odom` in the namespace `uxv`; an absolute name of what is not in it.
 [[nodiscard]] std::string bus_name(const std::string& name, const std::string& ros_namespace);
 
+/// A topic, or a pattern, of the parameter `writable` as clients name it: within the namespace.
+[[nodiscard]] std::string writable_in(const std::string& ros_namespace, const std::string& topic);
+
 /// The topic by which the bus knows `name`: as a library states it for this type, else made of what
 /// its writers offer (`qos`).
 [[nodiscard]] TopicInfo bus_topic(const std::string& name, const TypeInfo& type, const char* qos,

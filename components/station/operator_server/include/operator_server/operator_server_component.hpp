@@ -50,6 +50,7 @@ class OperatorServerComponent final : public Component {
     double time_s = 0.1;
     double service_timeout_s = 5;
     std::string vehicle;
+    std::vector<std::string> fleet;
     std::string bags;
     std::vector<double> access_point;
     template <class Visitor>
@@ -61,7 +62,7 @@ class OperatorServerComponent final : public Component {
       v("certificate", certificate, "PEM file of TLS; empty: no TLS");
       v("key", key, "PEM file with the certificate's private key");
       v("origins", origins, "of other pages that may connect: https://app.foxglove.dev; *: any");
-      v("writable", writable, "topics, or patterns, on which clients may publish");
+      v("writable", writable, "topics of its namespace, or patterns, on which clients may publish");
       v("backlog", backlog, {1, 1000}, "[1] messages of a topic that wait for a slow client");
       v("most_connections", most_connections, {1, 10000}, "[1] at the same time");
       v("frame_mib", frame_mib, {0.001, 64}, "[MiB] longest message of a client");
@@ -69,6 +70,7 @@ class OperatorServerComponent final : public Component {
       v("time_s", time_s, {0.02, 60}, "[s] between the times that clients are told");
       v("service_timeout_s", service_timeout_s, {0.1, 600}, "[s] for services and parameters");
       v("vehicle", vehicle, "name of the vehicle, for the page; empty: none");
+      v("fleet", fleet, "pages of all vehicles, for one page of all: uxv1=http://127.0.0.1:8761/");
       v("bags", bags, "folder whose bags the page can open; empty: that of the run");
       v("access_point", access_point, {-1e5, 1e5},
         "[m] x and y on the map, for the page; empty: that of the run's emulated radio");

@@ -43,6 +43,9 @@ struct BrokerAddress {
   std::string key_file;
 };
 
+/// Throws ConfigError naming the parameter and the file that cannot be read.
+void check_files(const BrokerAddress& address);
+
 /// MQTT 3.1.1 by libmosquitto, on a thread of its own. It connects by and by, and again where the
 /// broker has gone. `subscriptions`: topics, with QoS 0. Throws ConfigError when a
 /// file cannot be read.

@@ -69,6 +69,7 @@ class Vda5050GatewayComponent final : public Component {
 
  private:
   using Drive = ActionClient<action::FollowWaypoints>;
+  [[nodiscard]] bool connects(Time now);
   void take_inputs();
   void take_reports();
   void take_broker(Time now);
@@ -105,8 +106,10 @@ class Vda5050GatewayComponent final : public Component {
   vda5050::Vehicle vehicle_;
   std::optional<Time> heard_;  // when the router last told of the vehicle
   std::optional<GoalId> goal_;
-  std::unique_ptr<vda5050::Broker> broker_;
-  std::string file_;  // of the order, for a successor; empty: none is kept
+  const vda5050::BrokerAddress address_;
+  const vda5050::Connect connect_;
+  std::unique_ptr<vda5050::Broker> broker_;  // from the first tick on
+  std::string file_;                         // of the order, for a successor; empty: none is kept
   std::string saved_;
   std::uint64_t connections_ = 0;
   std::string trouble_;
