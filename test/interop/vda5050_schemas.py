@@ -41,6 +41,15 @@ def parse(line: str) -> tuple:
     return topic, payload, None
 
 
+def fault_of(schema, payload: str) -> str | None:
+    try:
+        message = json.loads(payload)
+    except ValueError as error:
+        return f"no JSON: {error}"
+    best = jsonschema.exceptions.best_match(schema.iter_errors(message))
+    return None if best is None else f"{best.json_path}: {best.message[:200]}"
+
+
 def main() -> int:
     if len(sys.argv) != 3:
         sys.exit(__doc__)
@@ -53,7 +62,7 @@ def main() -> int:
         schema = schemas.get(levels[1] if len(levels) == 5 else "", {}).get(levels[-1])
         if schema is None:
             continue
-        fault = jsonschema.exceptions.best_match(schema.iter_errors(json.loads(payload)))
+        fault = fault_of(schema, payload)
         name = f"{levels[1]} {levels[-1]}"
         if levels[-1] in TAKEN:
             counts[f"{name}: {'in' if fault else ''}valid, {'refused' if refused else 'not refused'}"] += 1
@@ -63,7 +72,7 @@ def main() -> int:
             is_wrong = fault is not None
         if is_wrong:
             wrong += 1
-            print(f"{topic}: {fault.json_path}: {fault.message[:200]}\n  {payload[:400]}")
+            print(f"{topic}: {fault}\n  {payload[:400]}")
     for name, count in sorted(counts.items()):
         print(f"{count:7} {name}")
     print(f"{wrong} wrong")
