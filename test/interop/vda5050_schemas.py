@@ -17,6 +17,7 @@ import sys
 import jsonschema
 
 TAKEN = ("order", "instantActions")
+FATES = {True: "refused", False: "taken or known", None: "received"}
 
 
 def load(folder: str) -> dict:
@@ -65,7 +66,7 @@ def main() -> int:
         fault = fault_of(schema, payload)
         name = f"{levels[1]} {levels[-1]}"
         if levels[-1] in TAKEN:
-            counts[f"{name}: {'in' if fault else ''}valid, {'refused' if refused else 'not refused'}"] += 1
+            counts[f"{name}: {'in' if fault else ''}valid, {FATES[refused]}"] += 1
             is_wrong = fault is not None and refused is False
         else:
             counts[f"{name}: {'in' if fault else ''}valid"] += 1
