@@ -14,6 +14,7 @@ namespace {
 /// After the end of a drive the mission's state may still be that of before.
 constexpr Duration settle = std::chrono::seconds(2);
 constexpr Duration retry = std::chrono::seconds(5);
+constexpr Duration way_limit = std::chrono::seconds(2);
 /// Without a mission for so long a drive is taken for lost: who led it was started anew.
 constexpr Duration lost_after = std::chrono::seconds(5);
 constexpr std::size_t most_refused = 8;
@@ -47,7 +48,8 @@ void Gateway::refuse(Fault why) {
 
 std::optional<Fault> Gateway::refuse_places(const Order& order) const {
   if (!params_.map) return std::nullopt;
-  for (const Node& node : order.nodes) {
+  for (std::size_t i = 1; i < order.nodes.size(); ++i) {  // on the first one it stands
+    const Node& node = order.nodes[i];
     navigation::Mission one{"order", "map", {{node.pose}}, "order"};
     try {
       require_free(one, *params_.map, params_.robot_radius_m);
@@ -138,7 +140,12 @@ void Gateway::go_on(const Vehicle& vehicle, Time now) {
 
 std::vector<Request> Gateway::update(const Vehicle& vehicle, Time now) {
   if (is_resuming_) {
-    if (!vehicle.pose || vehicle.mission.empty()) return {};
+    if (!vehicle.pose || vehicle.mission.empty()) {
+      resume_by_ = now + way_limit;
+      return {};
+    }
+    // The mission's way may come later than its state.
+    if (leads(vehicle.mission) && vehicle.way.empty() && now < resume_by_) return {};
     led_ = quiet_since_ = now;
     go_on(vehicle, now);
   }

@@ -85,6 +85,14 @@ TEST_F(GatewayTest, ANodeInAWallIsRefusedWithItsName) {
   EXPECT_EQ(mapped.order().id(), "");
   mapped.on_order(texts.order(3, 3).dump(), vehicle);
   EXPECT_EQ(mapped.order().id(), "o1");
+  with_map.map = navigation::OccupancyMap(
+      grid, {navigation::Cell::free, navigation::Cell::occupied, navigation::Cell::free,
+             navigation::Cell::free, navigation::Cell::free, navigation::Cell::free,
+             navigation::Cell::free, navigation::Cell::free, navigation::Cell::free,
+             navigation::Cell::free, navigation::Cell::free, navigation::Cell::free});
+  Gateway standing(with_map);
+  standing.on_order(texts.order(1, 1).dump(), vehicle);
+  EXPECT_EQ(standing.order().id(), "o1") << "it stands on the first node, whatever the map says";
 }
 
 TEST_F(GatewayTest, ADriveThatEndsOnTheWayMakesItsNodeUnreachable) {
@@ -225,6 +233,26 @@ TEST_F(SuccessorTest, WaitsUntilItKnowsTheVehicle) {
   vehicle.mission = "running";
   EXPECT_EQ(update().size(), 1u);
   EXPECT_EQ(successor.mode(vehicle), Mode::automatic);
+}
+
+TEST_F(SuccessorTest, WaitsForTheWayOfAMissionThatIsUnderWay) {
+  vehicle.mission = "";
+  EXPECT_THAT(update(), IsEmpty());
+  vehicle.mission = "running";
+  vehicle.way.clear();
+  EXPECT_THAT(update(), IsEmpty());
+  EXPECT_EQ(successor.mode(vehicle), Mode::startup);
+  vehicle.way = {{1, 0}, {2, 0}};
+  EXPECT_EQ(update().size(), 1u);
+}
+
+TEST_F(SuccessorTest, AMissionWithoutAWayIsSomebodyElses) {
+  vehicle.mission = "";
+  EXPECT_THAT(update(), IsEmpty());
+  vehicle.mission = "running";
+  vehicle.way.clear();
+  for (int i = 0; i < 25; ++i) EXPECT_THAT(update(), IsEmpty());
+  EXPECT_EQ(successor.mode(vehicle), Mode::manual);
 }
 
 TEST_F(SuccessorTest, DrivesWhatIsLeftAndKnowsWhatWasReached) {

@@ -105,6 +105,7 @@ class Gateway {
   std::vector<Request> requests_;
 
   bool is_resuming_ = false;  // an earlier order, once the vehicle is known
+  Time resume_by_{};          // without the way of the mission
   bool pause_wanted_ = false;
   bool was_paused_ = false;               // since that was asked for
   Time pause_asked_{};                    // when that, or its end, was last asked for
