@@ -2,9 +2,9 @@
 // The floor with all vehicles on it; all of it is shown.
 import { type Sheet, drawGrid, drawLine, drawName, drawScale, drawVehicle } from "../map/draw.ts";
 import { gridPixels, knownBounds } from "../map/grid.ts";
-import { pictureOf } from "../map/picture.ts";
+import { emptyCanvas, pictureOf } from "../map/picture.ts";
 import { type Theme, readTheme } from "../map/theme.ts";
-import { type Bounds, type Size, Viewport } from "../map/viewport.ts";
+import { type Bounds, Viewport } from "../map/viewport.ts";
 import { freshness } from "../model/freshness.ts";
 import type { OccupancyGrid } from "../model/messages.ts";
 import type { Fleet } from "./fleet.ts";
@@ -58,7 +58,7 @@ export class FleetMap {
   #draw(now: number): void {
     const size = { width: this.canvas.clientWidth, height: this.canvas.clientHeight };
     if (size.width === 0 || size.height === 0) return;
-    this.#fitCanvas(size);
+    emptyCanvas(this.#context, size);
     const floor = this.#picture();
     const bounds = floor?.bounds ?? this.#boundsOfVehicles();
     if (bounds === undefined) return;
@@ -95,16 +95,5 @@ export class FleetMap {
       this.#floor = { of: map, theme, picture: pictureOf(map, gridPixels(map, theme.grid)), bounds: knownBounds(map) };
     }
     return this.#floor;
-  }
-
-  #fitCanvas({ width, height }: Size): void {
-    const ratio = window.devicePixelRatio || 1;
-    const [across, down] = [Math.round(width * ratio), Math.round(height * ratio)];
-    if (this.canvas.width !== across || this.canvas.height !== down) {
-      this.canvas.width = across;
-      this.canvas.height = down;
-    }
-    this.#context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    this.#context.clearRect(0, 0, width, height);
   }
 }

@@ -7,7 +7,7 @@ import { Backdrop } from "./backdrop.ts";
 import { type Sheet, drawDraft, drawEllipse, drawLine, drawPlace, drawRoute, drawScale, drawScan, drawVehicle } from "./draw.ts";
 import { gridPixels, knownBounds, signalPixels } from "./grid.ts";
 import { MapHands } from "./map_hands.ts";
-import { newLayer, pictureOf } from "./picture.ts";
+import { emptyCanvas, newLayer, pictureOf } from "./picture.ts";
 import { type Theme, readTheme } from "./theme.ts";
 import { type Bounds, type Size, Viewport } from "./viewport.ts";
 import { WayAhead } from "./way.ts";
@@ -137,7 +137,7 @@ export class MapCanvas {
   #draw(now: number): void {
     const size = this.size();
     if (size.width === 0 || size.height === 0) return;
-    this.#fitCanvas(size);
+    emptyCanvas(this.#context, size);
     const { station, map } = this.operator;
     const { draft } = this.operator.mission;
     if (this.#showsAll) this.#showAll();
@@ -170,17 +170,6 @@ export class MapCanvas {
     const { ellipse } = this.operator.station.location?.value ?? { ellipse: undefined };
     if (ellipse && state === "fresh") drawEllipse(sheet, location, ellipse);
     drawVehicle(sheet, location, state === "fresh" ? undefined : now - at);
-  }
-
-  #fitCanvas({ width, height }: Size): void {
-    const ratio = window.devicePixelRatio || 1;
-    const [across, down] = [Math.round(width * ratio), Math.round(height * ratio)];
-    if (this.canvas.width !== across || this.canvas.height !== down) {
-      this.canvas.width = across;
-      this.canvas.height = down;
-    }
-    this.#context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    this.#context.clearRect(0, 0, width, height);
   }
 
   #picture(grid: OccupancyGrid): CanvasImageSource {
