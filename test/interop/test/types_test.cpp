@@ -57,8 +57,8 @@ class Echo {
     });
   }
   [[nodiscard]] const char* name() const { return type_.ours->name; }
-  /// Both ends of the way there know each other: a volatile reader that learns late of a writer gets
-  /// nothing of before.
+  /// Both ends of the way there know each other: a volatile reader that learns late of a writer
+  /// gets nothing of before.
   [[nodiscard]] bool is_connected() const {
     dds_subscription_matched_status_t there{};
     dds_publication_matched_status_t back{};

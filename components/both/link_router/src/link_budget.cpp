@@ -24,12 +24,13 @@ double RateMeter::bytes_per_s(Time now) const {
   return sum_ * std::exp(-to_seconds(now - at_) / to_seconds(memory)) / to_seconds(memory);
 }
 
-double AdaptiveScale::target(const Input& input) const {
+double AdaptiveScale::target(const Input& input) {
+  bound_by_share_ = false;
   if (input.silent) return params_.scale_min;
   if (input.nominal_bytes_per_s <= 0) return 1;
-  const double share_bytes_per_s =
-      utilisation * input.capacity_bytes_per_s - input.others_bytes_per_s;
-  return std::clamp(share_bytes_per_s / input.nominal_bytes_per_s, params_.scale_min, 1.0);
+  const double room_bytes_per_s = std::min(
+      utilisation * input.capacity_bytes_per_s - input.others_bytes_per_s, input.share_bytes_per_s);
+  return std::clamp(room_bytes_per_s / input.nominal_bytes_per_s, params_.scale_min, 1.0);
 }
 
 void AdaptiveScale::update(const Input& input, Time now) {
@@ -65,6 +66,7 @@ void LinkAdaptation::follow(const LinkedPeers& peers, Time now) {
   updated_ = now;
   AdaptiveScale::Input input;
   input.capacity_bytes_per_s = peers.capacity_bytes_per_s(now);
+  input.share_bytes_per_s = peers.share_bytes_per_s(now);
   input.others_bytes_per_s = others_.bytes_per_s(now);
   for (const auto& entry : streams_) input.nominal_bytes_per_s += entry.second.peak_bytes_per_s;
   input.silent = peers.is_silent(now);

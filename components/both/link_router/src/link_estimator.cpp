@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tocsin::router {
 namespace {
@@ -18,6 +19,8 @@ constexpr double least_capacity_bytes_per_s = 4000;
 constexpr double most_capacity_bytes_per_s = 1e9;
 /// So many unanswered transmissions at least are a silence: one or two may be bad luck.
 constexpr int silence_means = 3;
+/// Its multiples fill an interval evenly: the same over and over, and no period (Weyl, 1916).
+constexpr double golden_ratio = 0.6180339887498949;
 /// A service time below this is the clock's grain.
 constexpr Duration shortest_service = std::chrono::microseconds(200);
 
@@ -40,10 +43,15 @@ std::optional<Duration> WindowedMinimum::value() const {
   return current_;
 }
 
-Time LinkEstimator::on_sent(const WireCost& cost, Time now) {
+Time LinkEstimator::on_sent(const WireCost& cost, Time now, bool of_share) {
   drained_ =
       std::max(drained_, now) + seconds(static_cast<double>(cost.bytes) / capacity_bytes_per_s_);
   paid_ = std::max(paid_, now) + seconds(static_cast<double>(cost.bytes) / limit_bytes_per_s_);
+  if (of_share) {
+    if (std::exchange(spent_at_, now) != now) phase_ = std::fmod(phase_ + golden_ratio, 1);
+    const double takes_s = (0.5 + phase_) * static_cast<double>(cost.bytes) / share_bytes_per_s();
+    share_used_ = std::max(share_used_, now) + seconds(takes_s);
+  }
   if (!waiting_since_) waiting_since_ = now;
   ++unanswered_;
   return drained_;
@@ -77,7 +85,8 @@ Duration LinkEstimator::on_received(const Received& received, Time now) {
 void LinkEstimator::learn_capacity(const Received& received, Time arrived) {
   if (received.cost.packets < bulk_packets) return;
   if (received.burst == 0 || received.burst != last_.burst) {
-    last_ = {received.burst, std::max(received.sent, bulk_arrived_), capacity_bytes_per_s_, {}};
+    if (last_.per_kilobyte) per_kilobyte_.add(*last_.per_kilobyte, arrived);
+    last_ = {received.burst, std::max(received.sent, bulk_arrived_), capacity_bytes_per_s_, {}, {}};
   }
   bulk_arrived_ = std::max(bulk_arrived_, arrived);
   const Duration behind = arrived - received.expected;
@@ -87,15 +96,26 @@ void LinkEstimator::learn_capacity(const Received& received, Time arrived) {
   const Duration service = std::max(arrived - last_.turn, shortest_service);
   const double measured = std::clamp(static_cast<double>(received.cost.bytes) / to_seconds(service),
                                      least_capacity_bytes_per_s, most_capacity_bytes_per_s);
+  last_.per_kilobyte = seconds(1000 / measured);
   capacity_bytes_per_s_ = last_.before_bytes_per_s;
   blend(capacity_bytes_per_s_, measured,
         measured < capacity_bytes_per_s_ ? capacity_falls : capacity_rises);
 }
 
+double LinkEstimator::free_bytes_per_s() const {
+  const auto least = per_kilobyte_.value();
+  return least ? 1000 / to_seconds(*least) : free_start_bytes_per_s;
+}
+
+double LinkEstimator::share_bytes_per_s() const {
+  if (!airtime_share_) return std::numeric_limits<double>::infinity();
+  return std::max(*airtime_share_ * free_bytes_per_s(), 1.0);
+}
+
 void LinkEstimator::on_lost() { blend(loss_, 1, loss_weight); }
 
 Duration LinkEstimator::backlog(Time now) const {
-  return std::max(std::max(drained_, paid_) - now, Duration::zero());
+  return std::max(std::max({drained_, paid_, share_used_}) - now, Duration::zero());
 }
 
 Duration LinkEstimator::expected_delay() const { return seconds(delay_s_ + 4 * deviation_s_); }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "acknowledgement_link.hpp"
+#include "airtime_link.hpp"
 #include "backfill/backfill_link.hpp"
 #include "call_link.hpp"
 #include "foundation/error.hpp"
@@ -64,6 +65,7 @@ LinkRouterComponent::Router::Router(Component& owner, Context& context, Logger& 
   services_.push_back(std::move(live));
   services_.push_back(std::move(acknowledgements));
   services_.push_back(std::make_unique<CallLink>(parts));
+  if (context.role == Role::uxv) services_.push_back(std::make_unique<AirtimeLink>(owner, parts));
   services_.push_back(std::move(backfill));
   services_.push_back(std::move(reports));
   if (link_->paths() > 1) sender_.add_path();

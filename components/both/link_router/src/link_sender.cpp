@@ -180,7 +180,13 @@ std::optional<Transmission> LinkSender::next(Time now) {
   for (const TrafficClass traffic_class : traffic_classes) {
     if (auto one = next_of(traffic_class, now)) return one;
   }
+  note_share_missed(now);
   return std::nullopt;
+}
+
+void LinkSender::note_share_missed(Time now) {
+  const bool waits = peers_.waits_for_share(now) && has_waiting();
+  share_missed_ = share_missed_ || waits || adaptation_.is_bound_by_share();
 }
 
 std::optional<Transmission> LinkSender::next_of(TrafficClass traffic_class, Time now) {
@@ -302,6 +308,7 @@ Transmission LinkSender::transmit(const SentSamplePtr& sent, Time now) {
 Transmission LinkSender::put(const SentSamplePtr& sent, Time now) {
   const WireCost& cost = sent->cost;
   const PathIndex path = sent->path;
+  const bool of_share = !policy_of(sent->traffic_class).passes_backlog;
   Transmission one{sent->stream,
                    sent->sample,
                    sent->piece,
@@ -316,7 +323,8 @@ Transmission LinkSender::put(const SentSamplePtr& sent, Time now) {
   for (auto& entry : peers_.all()) {
     LinkedPeer& peer = entry.second;
     if (peer.wanted.count(sent->stream) == 0) continue;
-    const Time leaves = peer.estimators[path].on_sent(cost, now);
+    const Time leaves = peer.estimators[path].on_sent(cost, now, of_share);
+    if (of_share && path == 0) of_share_.add(cost.bytes, now);
     one.record.copies.push_back({peer.index, leaves, false, false});
   }
   pacer_.on_sent(now);

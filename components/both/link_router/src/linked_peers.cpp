@@ -2,6 +2,7 @@
 #include "link_router/linked_peers.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -43,7 +44,13 @@ void LinkedPeers::add_path(double most_bytes_per_s) {
   for (auto& entry : peers_) limit(entry.second);
 }
 
+void LinkedPeers::set_airtime_share(std::optional<double> share) {
+  airtime_share_ = share;
+  for (auto& entry : peers_) limit(entry.second);
+}
+
 void LinkedPeers::limit(LinkedPeer& peer) const {
+  peer.estimators[0].set_airtime_share(airtime_share_);
   if (second_bytes_per_s_.value_or(0) > 0) peer.estimators[1].set_limit(*second_bytes_per_s_);
 }
 
@@ -99,6 +106,22 @@ const LinkEstimator* LinkedPeers::slowest(PathIndex path, Time now) const {
 double LinkedPeers::capacity_bytes_per_s(PathIndex path, Time now) const {
   const LinkEstimator* const one = slowest(path, now);
   return one == nullptr ? capacity_start_bytes_per_s : one->capacity_bytes_per_s();
+}
+
+bool LinkedPeers::waits_for_share(Time now) const {
+  return path() == 0 && std::any_of(peers_.begin(), peers_.end(), [now](const auto& entry) {
+           return entry.second.estimators[0].waits_for_share(now);
+         });
+}
+
+double LinkedPeers::free_bytes_per_s(Time now) const {
+  const LinkEstimator* const one = slowest(0, now);
+  return one == nullptr ? free_start_bytes_per_s : one->free_bytes_per_s();
+}
+
+double LinkedPeers::share_bytes_per_s(Time now) const {
+  const LinkEstimator* const one = path() == 0 ? slowest(now) : nullptr;
+  return one == nullptr ? std::numeric_limits<double>::infinity() : one->share_bytes_per_s();
 }
 
 Duration LinkedPeers::backlog(PathIndex path, Time now) const {

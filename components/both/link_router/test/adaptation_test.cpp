@@ -71,5 +71,46 @@ TEST(Adaptation, AnAdaptiveSourceHoldsWhileItsLastSampleWaits) {
   EXPECT_FALSE(link.sender.budgets(link.now).at(0).hold);
 }
 
+/// Offers a picture each 50 ms for ten seconds. Returns how many crossed.
+std::size_t pictures_in_ten_seconds(LinkPair& link) {
+  std::uint64_t sequence = 1000;
+  const std::size_t before = link.delivered[1].size();
+  for (int i = 0; i < 200; ++i) {
+    link.offer(1, sequence++, picture_bytes);
+    link.offer(2, sequence);
+    link.run(50 * ms);
+  }
+  return link.delivered[1].size() - before;
+}
+
+TEST(Adaptation, BulkKeepsToItsShareOfTheAir) {
+  LinkPair link;
+  link.add(1, rule_of(TrafficClass::low));
+  link.add(2, rule_of(TrafficClass::critical));
+  learn_capacity(link, 1);
+  const std::size_t all = pictures_in_ten_seconds(link);
+  link.sender.set_airtime_share(0.1);
+  const std::size_t urgent = link.count_sent(2);
+  const std::size_t some = pictures_in_ten_seconds(link);
+  // A picture of 34 packets takes 34 ms of the air, 36 ms with its delay.
+  EXPECT_NEAR(static_cast<double>(some), 10 * 0.1 / 0.035, 5);
+  EXPECT_GT(all, 3 * some);
+  EXPECT_EQ(link.count_sent(2) - urgent, 200U) << "what is urgent is not bounded";
+  EXPECT_NEAR(link.sender.airtime_used(link.now), 0.1, 0.04);
+}
+
+TEST(Adaptation, AnAdaptiveSourceFillsItsShareOfTheAir) {
+  LinkPair link;
+  StreamRule camera = rule_of(TrafficClass::low);
+  camera.adaptive = true;
+  link.add(1, camera);
+  link.add(2, rule_of(TrafficClass::critical));
+  learn_capacity(link, 1);
+  EXPECT_EQ(link.sender.budgets(link.now).at(0).scale, 1);
+  link.sender.set_airtime_share(0.12);  // of one in seven; the camera wants about two
+  (void)pictures_in_ten_seconds(link);
+  EXPECT_LT(link.sender.budgets(link.now).at(0).scale, 0.7);
+}
+
 }  // namespace
 }  // namespace tocsin::router

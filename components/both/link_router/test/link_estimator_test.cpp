@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <set>
+
 namespace tocsin::router {
 namespace {
 
@@ -87,6 +90,46 @@ TEST_F(LinkEstimatorTest, TheBacklogDrainsAtTheCapacity) {
   EXPECT_EQ(sut.backlog(now), seconds(10000 / capacity_start_bytes_per_s));
   EXPECT_EQ(sut.backlog(now + 40 * ms), 60 * ms);
   EXPECT_EQ(sut.backlog(now + 200 * ms), 0 * ms);
+}
+
+TEST_F(LinkEstimatorTest, TheFreeRateIsThatOfTheFastestBulkOfTenSeconds) {
+  EXPECT_EQ(sut.free_bytes_per_s(), free_start_bytes_per_s);
+  (void)cross(small, 2 * ms);
+  for (int i = 0; i < 20; ++i, now += 200 * ms) {
+    (void)cross(bulk, i == 3 ? 12 * ms : 52 * ms);  // the others share the air with somebody
+  }
+  EXPECT_NEAR(sut.free_bytes_per_s(), 1e6, 1e4) << "10 kB in 10 ms";
+  for (int i = 0; i < 100; ++i, now += 200 * ms) (void)cross(bulk, 52 * ms);
+  EXPECT_NEAR(sut.free_bytes_per_s(), 2e5, 2e3) << "the vehicle has driven away";
+}
+
+TEST_F(LinkEstimatorTest, WhatIsSentOfAShareHoldsBackWhatWaits) {
+  EXPECT_TRUE(std::isinf(sut.share_bytes_per_s()));
+  sut.set_airtime_share(0.1);
+  EXPECT_DOUBLE_EQ(sut.share_bytes_per_s(), 0.1 * free_start_bytes_per_s);
+  (void)sut.on_sent(bulk, now, false);
+  EXPECT_EQ(sut.backlog(now), seconds(10000 / capacity_start_bytes_per_s)) << "what is urgent";
+  now += 1000 * ms;
+  (void)sut.on_sent(bulk, now);
+  const Duration whole = seconds(10000 / sut.share_bytes_per_s());
+  EXPECT_GE(sut.backlog(now), whole / 2);
+  EXPECT_LE(sut.backlog(now), whole * 3 / 2);
+  sut.set_airtime_share(std::nullopt);
+  (void)sut.on_sent(bulk, now + 1000 * ms);
+  EXPECT_EQ(sut.backlog(now + 1000 * ms), seconds(10000 / capacity_start_bytes_per_s));
+}
+
+TEST_F(LinkEstimatorTest, AShareIsSpentAtItsRateInTurnsOfSeveralLengths) {
+  sut.set_airtime_share(0.1);
+  std::set<Duration> waits;
+  const Time begin = now;
+  for (int i = 0; i < 1000; ++i) {
+    (void)sut.on_sent(bulk, now);
+    waits.insert(sut.backlog(now));
+    now += sut.backlog(now);
+  }
+  EXPECT_NEAR(to_seconds(now - begin), 1000 * 10000 / sut.share_bytes_per_s(), 1);
+  EXPECT_GT(waits.size(), 900U);
 }
 
 TEST_F(LinkEstimatorTest, IsSilentOnlyAfterSeveralUnansweredAndTheTime) {

@@ -376,6 +376,33 @@ TEST_F(LinkRouterTest, TellsTheWritersOfAdaptiveTopicsTheirBudget) {
   EXPECT_FLOAT_EQ(budgets.back().streams()[0].scale(), 1);
 }
 
+TEST_F(LinkRouterTest, KeepsToItsShareOfTheAirAndTellsWhatItUsed) {
+  SimReader<topic::AirtimeUse> uses(host_->bus);
+  run(2);
+  EXPECT_TRUE(uses.take().empty()) << "nobody has told it a share";
+  tocsin_msgs::msg::AirtimeShare share;
+  share.share(0.02F);
+  share.fallback(0.01F);
+  host_->bus.publish<topic::AirtimeShare>(share);
+  run(1.1);
+  ASSERT_FALSE(uses.take().empty());
+  const FlowId low = begin("camera/image_raw/compressed");
+  meet();
+  listen(low);
+  write(1, host_flow, 3000);
+  const auto first = script_.sent_on(low);
+  EXPECT_GT(first, 0U);
+  write(2, host_flow, 3000);
+  EXPECT_EQ(script_.sent_on(low), first) << "3 kB take 0.3 s of a share of 0.02";
+  run(1.1);
+  const auto told = uses.take();
+  ASSERT_FALSE(told.empty());
+  EXPECT_FLOAT_EQ(told.back().share(), 0.02F);
+  EXPECT_GT(told.back().used(), 0);
+  run(6);
+  EXPECT_FLOAT_EQ(uses.take().back().share(), 0.01F) << "the site is silent";
+}
+
 TEST_F(LinkRouterTest, TellsTheStateOfTheLinkAndOfEachTopicOnceASecond) {
   begin("battery_state");
   set_active(false);

@@ -46,6 +46,11 @@ SimProcess& SimHost::add_process(const std::string& name, int life) {
   return processes_.emplace_back(network_, *this, name, life);
 }
 
+SimHost& SimHost::home_of(const std::string& topic) {
+  const auto found = network_.homes.find({name_, topic.substr(0, topic.find('/'))});
+  return found == network_.homes.end() ? *this : *found->second;
+}
+
 void SimHost::detach(SimProcess::Topic& topic) {
   auto& processes = topic.on_host->processes;
   processes.erase(std::remove(processes.begin(), processes.end(), &topic), processes.end());

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "foundation/role.hpp"
@@ -46,6 +47,8 @@ struct Network {
   std::size_t vehicle = 0;                          ///< of several
   std::map<std::string, SimLinkBus*> routers = {};  ///< that live, by the name of their host
   PeerId router_lives = 0;
+  /// Of what serves all vehicles: where the topics of each are, by host and namespace.
+  std::map<std::pair<std::string, std::string>, SimHost*> homes = {};
   /// What the logs of routers hold instead of encoded samples, by number: outlives their routers.
   std::vector<std::shared_ptr<const void>> logged = {};
   std::function<void(const Overheard&)> on_air = {};  ///< empty: nobody listens
@@ -92,6 +95,7 @@ class SimProcess final : public Bus, private LinkAccess {
     /// To the components of this process.
     void deliver(const Sample& sample);
     HostTopic* on_host = nullptr;
+    SimHost* home = nullptr;  ///< whose topic it is
     std::uint64_t source = 0;
     bool writes = false;
     ReplayFilter carried;  ///< what routers have brought
@@ -135,7 +139,11 @@ class SimHost {
   SimHost(Network& network, std::string name, Role role, const std::string& traffic_file,
           VehicleChain chain = VehicleChain::ours);
 
+  /// Whose topic one is that a process of this host names.
+  [[nodiscard]] SimHost& home_of(const std::string& topic);
+
   [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] Observer* observer() const { return network_.observer(); }
   [[nodiscard]] Role role() const { return role_; }
   [[nodiscard]] const TrafficRules& rules() const { return rules_; }
   [[nodiscard]] radio::Direction direction() const;

@@ -75,9 +75,14 @@ SimProcess::SimProcess(Network& network, SimHost& host, std::string name, int li
 SimProcess::~SimProcess() = default;
 
 std::unique_ptr<SimProcess::Topic> SimProcess::make_topic(const Endpoint& endpoint) {
-  const std::string name = endpoint.topic.name;
-  auto made = std::make_unique<Topic>(endpoint, network_.qos.of(endpoint.topic.qos, name));
-  made->label = host_.name() + "/" + name_ + "/" + name;
+  const std::string given = endpoint.topic.name;
+  SimHost& home = host_.home_of(given);
+  Endpoint at_home = endpoint;
+  if (&home != &host_) at_home.topic.name += given.find('/') + 1;
+  const std::string name = at_home.topic.name;
+  auto made = std::make_unique<Topic>(at_home, network_.qos.of(endpoint.topic.qos, name));
+  made->home = &home;
+  made->label = host_.name() + "/" + name_ + "/" + given;
   made->source = hash_of(life_ == 0 ? made->label : made->label + "#" + std::to_string(life_));
   made->end.host = host_.name();
   made->end.role = host_.role();
@@ -95,7 +100,7 @@ SimProcess::Topic& SimProcess::topic(const Endpoint& endpoint) {
   auto known = topics_.find(endpoint.topic.name);
   if (known == topics_.end()) {
     known = topics_.emplace(endpoint.topic.name, make_topic(endpoint)).first;
-    host_.attach(*known->second);
+    known->second->home->attach(*known->second);
   }
   const auto& found = known->second;
   if (found->endpoint.type != endpoint.type) {
@@ -111,13 +116,13 @@ std::unique_ptr<Subscription> SimProcess::subscribe(const Endpoint& endpoint, Re
 }
 
 void SimProcess::tell_router(const Topic& its) const {
-  if (SimLinkBus* const router = host_.router()) router->on_readers(its.endpoint.topic.name);
+  if (SimLinkBus* const router = its.home->router()) router->on_readers(its.endpoint.topic.name);
 }
 
 std::unique_ptr<Publication> SimProcess::advertise(const Endpoint& endpoint) {
   Topic& its = topic(endpoint);
   if (*endpoint.user_data != 0) its.end.user_data = endpoint.user_data;
-  if (endpoint.topic.scope == Scope::link) (void)host_.rules().of(endpoint.topic.name);
+  if (endpoint.topic.scope == Scope::link) (void)its.home->rules().of(its.endpoint.topic.name);
   begin_to_write(its);
   return std::make_unique<OpenWriter>(*this, its);
 }
@@ -133,7 +138,7 @@ std::unique_ptr<ClientEnd> SimProcess::call(const ServiceEndpoint& endpoint,
 }
 
 void SimProcess::begin_to_write(Topic& its) {
-  const TrafficRule* const rule = host_.rules().find(its.endpoint.topic.name);
+  const TrafficRule* const rule = its.home->rules().find(its.endpoint.topic.name);
   if (rule != nullptr && rule->live && !rule->on_demand) {
     its.end.traffic_class = rule->traffic_class;
     its.end.pausable = rule->while_poor != WhilePoor::send;
@@ -142,7 +147,7 @@ void SimProcess::begin_to_write(Topic& its) {
     its.end.durable = its.keeps_last;
   }
   if (std::exchange(its.writes, true)) return;
-  if (SimLinkBus* const router = host_.router()) router->on_writer(its);
+  if (SimLinkBus* const router = its.home->router()) router->on_writer(its);
 }
 
 Status SimProcess::write(Topic& its, const std::shared_ptr<const void>& message) {
@@ -159,8 +164,8 @@ Status SimProcess::write(Topic& its, const std::shared_ptr<const void>& message)
   sample.sequence = ++its.written;
   sample.source = its.source;
   SimHost::deliver(its, sample);
-  if (SimLinkBus* const router = host_.router()) router->on_written(its, sample);
-  if (network_.observer() != nullptr) report(its, message.get());
+  if (SimLinkBus* const router = its.home->router()) router->on_written(its, sample);
+  if (its.home->observer() != nullptr) report(its, message.get());
   return Status::ok;
 }
 
@@ -176,7 +181,7 @@ void SimProcess::report(const Topic& its, const void* message) const {
   const Core& core = network_.core;
   const bool crosses = its.end.traffic_class.has_value();
   const std::size_t bytes = crosses ? its.endpoint.type->serialized_size(message) : 0;
-  network_.observer()->on_written({its.end, core.now, its.written, bytes, message});
+  its.home->observer()->on_written({its.end, core.now, its.written, bytes, message});
 }
 
 std::int64_t SimProcess::wall_ns(Time t) const {
@@ -186,7 +191,9 @@ std::int64_t SimProcess::wall_ns(Time t) const {
 void SimProcess::die() {
   for (const auto& entry : topics_) {
     SimHost::detach(*entry.second);
-    if (SimLinkBus* const router = host_.router()) router->on_writer_gone(*entry.second);
+    if (SimLinkBus* const router = entry.second->home->router()) {
+      router->on_writer_gone(*entry.second);
+    }
   }
 }
 

@@ -125,9 +125,10 @@ void World::add(const deployment::Deployment& part, const deployment::Host& host
     if (&other != &host) side.computer->add_peer(other.address);
   }
   add_bases(host, side);
+  const bool serves_all = common_ && &network == &*common_;
   for (const deployment::Container& container : host.containers) {
     const bool is_common = deployment::vehicle_of(deployment_, host, container).empty();
-    if (deployment_.vehicles.empty() || !is_common) add(container, side);
+    if (deployment_.vehicles.empty() || is_common == serves_all) add(container, side);
   }
 }
 
@@ -144,6 +145,9 @@ void World::add_common() {
     containers.erase(std::remove_if(containers.begin(), containers.end(), is_of_one),
                      containers.end());
     if (!containers.empty()) common_part_.hosts.push_back(std::move(host));
+  }
+  for (const Side& side : sides_) {
+    common_->homes[{side.host->name(), deployment_.vehicles[side.vehicle]}] = side.host.get();
   }
   for (const deployment::Host& host : common_part_.hosts) add(common_part_, host, *common_);
 }

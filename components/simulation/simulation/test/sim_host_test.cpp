@@ -61,5 +61,31 @@ TEST_F(SimHostTest, RefusesATopicThatItsRoleMayNotSendAndASecondType) {
   }
 }
 
+/// Topics of one of several vehicles, as the whole site sees them.
+struct HeartbeatOfOne : topic::Heartbeat {
+  static constexpr TopicInfo info{"uxv1/heartbeat", topic::Heartbeat::info.qos, Scope::host};
+};
+struct MissionOfOne : topic::MissionStatus {
+  static constexpr TopicInfo info{"uxv1/mission_status", topic::MissionStatus::info.qos,
+                                  Scope::host};
+};
+
+TEST_F(SimHostTest, WhatServesAllVehiclesMeetsTheTopicsOfEachByTheirNamespace) {
+  Network site{core_, link_, QosProfiles(TOCSIN_REPOSITORY "/config/qos.yaml")};
+  site.homes[{"gcs", "uxv1"}] = &gcs_;
+  SimHost station(site, "gcs", Role::gcs, TOCSIN_REPOSITORY "/config/traffic.yaml");
+  SimProcess& common = station.add_process("common");
+  Reader& of_one = read<HeartbeatOfOne>(common);
+  Reader& own = read<topic::Heartbeat>(common);
+  connect();
+  write<topic::Heartbeat>(drive_);
+  Reader& on_board = read<topic::MissionStatus>(drive_);
+  write<MissionOfOne>(common);
+  run_for(1);
+  EXPECT_EQ(of_one.samples.size(), 1U) << "it crossed the link";
+  EXPECT_TRUE(own.samples.empty()) << "that is of no vehicle";
+  EXPECT_EQ(on_board.samples.size(), 1U) << "and so did this";
+}
+
 }  // namespace
 }  // namespace tocsin::simulation

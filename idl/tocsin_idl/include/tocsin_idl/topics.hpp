@@ -321,6 +321,16 @@ struct LinkState {
   using Message = tocsin_msgs::msg::LinkState;
   static constexpr TopicInfo info{"link_state", "telemetry", Scope::link};
 };
+/// The site's to a vehicle's router.
+struct AirtimeShare {
+  using Message = tocsin_msgs::msg::AirtimeShare;
+  static constexpr TopicInfo info{"airtime_share", "telemetry", Scope::link};
+};
+/// Of a vehicle's router to the site.
+struct AirtimeUse {
+  using Message = tocsin_msgs::msg::AirtimeUse;
+  static constexpr TopicInfo info{"airtime_use", "telemetry", Scope::link};
+};
 /// Of the host's router: what writers of adaptive topics may send.
 struct LinkBudget {
   using Message = tocsin_msgs::msg::LinkBudget;
@@ -343,7 +353,7 @@ using AllLinkTopics =
     List<Location, InitialPose, NetworkQuality, NavigationStatus, BatteryState, MemoryUsage,
          CpuLoad, CpuTemperature, CameraImage, MapTiles, LinkMap, Goal, MissionStatus, SafetyStatus,
          DockingStatus, TeleopCmdVel, DriverState, DriverRequest, DockingCommand, Heartbeat,
-         TransmissionState, TrafficReport, LinkState>;
+         TransmissionState, TrafficReport, LinkState, AirtimeShare, AirtimeUse>;
 
 using AllHostTopics =
     List<CmdVel, Odom, JointStates, Imu, Tf, TfStatic, Scan, Diagnostics, CmdVelNavigation,

@@ -46,13 +46,14 @@ router::StreamRule stream_rule(const char* name, TrafficClass traffic_class) {
 }
 
 RouterRadio::RouterRadio(radio::RadioChannel& channel, const Setup& setup, Time start)
-    : channels_{&channel}, dscp_(setup.dscp) {
+    : channels_{&channel}, dscp_(setup.dscp), vehicle_(setup.vehicle) {
   if (setup.second != nullptr) channels_.push_back(setup.second);
   for (std::size_t side = 0; side < 2; ++side) {
     senders_[side] = std::make_unique<router::LinkSender>(setup.params);
     receivers_[side] = std::make_unique<router::LinkReceiver>();
-    senders_[side]->on_peer(peer, 2 - side, start);
-    receivers_[side]->on_peer(peer, 2 - side);
+    const router::InstanceId instance = 101 * vehicle_ + 2 - side;
+    senders_[side]->on_peer(peer, instance, start);
+    receivers_[side]->on_peer(peer, instance);
     if (setup.second != nullptr) senders_[side]->add_path();
   }
 }
@@ -76,7 +77,7 @@ void RouterRadio::send(Cargo cargo, const std::vector<std::size_t>& packets, Tim
   const auto category = radio::access_category_of_dscp(dscp_.of(cargo.traffic_class));
   const auto shared = std::make_shared<Cargo>(std::move(cargo));
   for (const std::size_t bytes : packets) {
-    const radio::Packet packet{static_cast<int>(bytes), false, category};
+    const radio::Packet packet{static_cast<int>(bytes), false, category, vehicle_};
     under_way_[shared->path][channels_[shared->path]->push(direction, packet, now)] = shared;
   }
 }
@@ -129,13 +130,15 @@ void RouterRadio::advance(Time now, const Deliver& deliver) {
 void RouterRadio::advance(PathIndex path, Time now, const Deliver& deliver) {
   radio::RadioChannel& channel = *channels_[path];
   channel.advance(now);
-  while (const auto outcome = channel.take()) {
-    const auto found = under_way_[path].find(outcome->id);
-    const std::shared_ptr<Cargo> cargo = found->second;
-    under_way_[path].erase(found);
-    if (outcome->fate != radio::Fate::delivered || --cargo->missing > 0) continue;
-    arrive(*cargo, outcome->at, deliver);
-  }
+  while (const auto outcome = channel.take()) end(path, *outcome, deliver);
+}
+
+void RouterRadio::end(PathIndex path, const radio::Outcome& outcome, const Deliver& deliver) {
+  const auto found = under_way_[path].find(outcome.id);
+  const std::shared_ptr<Cargo> cargo = found->second;
+  under_way_[path].erase(found);
+  if (outcome.fate != radio::Fate::delivered || --cargo->missing > 0) return;
+  arrive(*cargo, outcome.at, deliver);
 }
 
 void RouterRadio::arrive(const Cargo& cargo, Time now, const Deliver& deliver) {

@@ -34,6 +34,7 @@ class RouterRadio {
     router::LinkRouterParams params;
     DscpOfClass dscp;
     radio::RadioChannel* second = nullptr;  ///< of a second path; null: there is one
+    std::size_t vehicle = 0;                ///< of the channel, on side 0
   };
   RouterRadio(radio::RadioChannel& channel, const Setup& setup, Time start);
 
@@ -46,6 +47,8 @@ class RouterRadio {
   void serve(Time now);
   /// What arrives up to `now`.
   void advance(Time now, const Deliver& deliver);
+  /// A packet of this vehicle has ended: where several share a channel, in place of advance().
+  void end(PathIndex path, const radio::Outcome& outcome, const Deliver& deliver);
   [[nodiscard]] Time next_event(Time now) const;
 
   [[nodiscard]] router::LinkSender& sender(std::size_t side) { return *senders_[side]; }
@@ -87,6 +90,7 @@ class RouterRadio {
 
   std::vector<radio::RadioChannel*> channels_;  ///< by path
   DscpOfClass dscp_;
+  std::size_t vehicle_;
   std::array<std::unique_ptr<router::LinkSender>, 2> senders_;
   std::array<std::unique_ptr<router::LinkReceiver>, 2> receivers_;
   std::unordered_map<router::StreamId, TrafficClass> classes_;

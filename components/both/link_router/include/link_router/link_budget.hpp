@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <vector>
@@ -42,7 +43,9 @@ class AdaptiveScale {
 
   struct Input {
     double capacity_bytes_per_s = 0;
-    double others_bytes_per_s = 0;   ///< what streams that do not adapt take
+    double others_bytes_per_s = 0;  ///< what streams that do not adapt take
+    /// What a share of the air carries of all that waits for the radio.
+    double share_bytes_per_s = std::numeric_limits<double>::infinity();
     double nominal_bytes_per_s = 0;  ///< what adaptive streams would take at scale 1
     bool silent = false;             ///< no peer acknowledges anything
   };
@@ -51,13 +54,16 @@ class AdaptiveScale {
   void fall_at_once() { falls_at_once_ = true; }
   /// [scale_min, 1]
   [[nodiscard]] double scale() const { return reported_; }
+  /// Whether it would be larger without the share of the air.
+  [[nodiscard]] bool is_bound_by_share() const { return bound_by_share_; }
 
  private:
-  [[nodiscard]] double target(const Input& input) const;
+  [[nodiscard]] double target(const Input& input);
   LinkRouterParams params_;
   double smooth_ = 1;
   bool falls_at_once_ = false;
   double reported_ = 1;
+  bool bound_by_share_ = false;
   std::optional<Time> updated_;
 };
 
@@ -81,6 +87,7 @@ class LinkAdaptation {
   void on_other_path() { scale_.fall_at_once(); }
 
   [[nodiscard]] double scale() const { return scale_.scale(); }
+  [[nodiscard]] bool is_bound_by_share() const { return scale_.is_bound_by_share(); }
   /// Of each adaptive stream. `holds`: whether its source shall skip.
   [[nodiscard]] std::vector<StreamBudget> budgets(const std::function<bool(StreamId)>& holds) const;
 

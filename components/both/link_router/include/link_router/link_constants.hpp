@@ -42,6 +42,12 @@ inline constexpr Duration path_probe_period = std::chrono::seconds(1);
 /// drift by a millisecond.
 inline constexpr Duration clock_window = std::chrono::seconds(30);
 
+/// [B/s] what is assumed of the way while nobody else sends, before it was measured: of 6 Mbit/s,
+/// the lowest rate of 802.11g.
+inline constexpr double free_start_bytes_per_s = 500'000;
+/// What a share of the air carries is learned anew so often: fading has come and gone.
+inline constexpr Duration airtime_window = std::chrono::seconds(10);
+
 /// [1] of the capacity, for adaptive streams and all others together: the rest is room for repairs
 /// and for a capacity that falls.
 inline constexpr double utilisation = 0.5;

@@ -41,8 +41,14 @@ class WindowedMinimum {
 /// Pure; `now` never decreases.
 class LinkEstimator {
  public:
-  /// Something goes to the radio. Returns when the model has it leave.
-  Time on_sent(const WireCost& cost, Time now);
+  LinkEstimator() = default;
+  /// `phase` in [0, 1) sets it apart from others on the same air, see on_sent().
+  explicit LinkEstimator(double phase) : phase_(phase) {}
+
+  /// Something goes to the radio, and counts in the share of the air or not. Returns when the model
+  /// has it leave. What is spent of a share counts a half to one and a half, one on average: equal
+  /// shares of equal samples would else be spent at the same instants for ever.
+  Time on_sent(const WireCost& cost, Time now, bool of_share = true);
 
   /// A transmission that was received.
   struct Received {
@@ -61,17 +67,27 @@ class LinkEstimator {
   /// [B/s] What waits for the radio waits for this, too, whatever is measured: the use of the path
   /// is metered. At least 1.
   void set_limit(double bytes_per_s) { limit_bytes_per_s_ = bytes_per_s; }
+  /// (0, 1] of the air for this way; empty: all of it. What is sent of the share makes others that
+  /// wait for the radio wait for the share, too.
+  void set_airtime_share(std::optional<double> share) { airtime_share_ = share; }
 
   /// [B/s]
   [[nodiscard]] double capacity_bytes_per_s() const {
     return std::min(capacity_bytes_per_s_, limit_bytes_per_s_);
   }
+  /// [B/s] of the way while nobody else sends: the fastest bulk of the last ten seconds; before it
+  /// was measured, what the lowest rate of 802.11g leaves.
+  [[nodiscard]] double free_bytes_per_s() const;
+  /// [B/s] that the share of the air carries; infinite without one.
+  [[nodiscard]] double share_bytes_per_s() const;
   /// From sending, by this clock, to arrival, by the peer's: the least of a small sample lately.
   [[nodiscard]] std::optional<Duration> least_crossing() const { return least_.value(); }
   /// Whether it was ever measured on bulk; else it is only assumed.
   [[nodiscard]] bool is_capacity_measured() const { return is_capacity_measured_; }
-  /// How long what is sent at `now` would wait in the radio.
+  /// How long what is sent at `now` would wait in the radio, or for its share of the air.
   [[nodiscard]] Duration backlog(Time now) const;
+  /// The share of the air is used up at `now`.
+  [[nodiscard]] bool waits_for_share(Time now) const { return share_used_ > now; }
   /// The wait that a small sample must reckon with before an acknowledgement can name it: recent
   /// delays with their spread.
   [[nodiscard]] Duration expected_delay() const;
@@ -90,6 +106,8 @@ class LinkEstimator {
 
   WindowedMinimum least_{
       clock_window};  ///< of small samples: by the peer's clock, from sending to arrival
+  WindowedMinimum per_kilobyte_{airtime_window};  ///< of bulk: the least time of a thousand bytes
+  std::optional<double> airtime_share_;
   double limit_bytes_per_s_ = std::numeric_limits<double>::infinity();
   double capacity_bytes_per_s_ = capacity_start_bytes_per_s;
   bool is_capacity_measured_ = false;
@@ -99,11 +117,15 @@ class LinkEstimator {
   double deviation_s_ = 0;  ///< smoothed
   Time drained_{};          ///< when the model's queue is empty
   Time paid_{};             ///< until then the limit is used up
+  Time share_used_{};       ///< until then the share of the air is used up
+  Time spent_at_{};         ///< the last time that something was
+  double phase_ = 0;        ///< [0, 1) of what was spent then
   struct Measurement {
     std::uint64_t burst = 0;
     Time turn{};                    ///< of its bulk in the radio
     double before_bytes_per_s = 0;  ///< the capacity as it was believed before
     Duration behind{0};             ///< the model's queue, as far as that is mended
+    std::optional<Duration> per_kilobyte;
   };
   Measurement last_{};
   Time bulk_arrived_{};                ///< by our clock, as if the least delay were zero

@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "link_router/compressed_source.hpp"
@@ -70,6 +71,19 @@ class LinkSender {
   /// By what samples of compressed streams are made smaller; without it none is. None is either
   /// while samples go whole: somebody reads who knows neither pieces nor compression.
   void set_compress(Compress compress) { compress_ = std::move(compress); }
+
+  /// (0, 1] of the air of the first path, where several share it, for what classes normal and low
+  /// send and what is backfilled; small samples do not wait for it. Empty: all of it.
+  void set_airtime_share(std::optional<double> share) { peers_.set_airtime_share(share); }
+  /// Whether something has waited for the share since the last call, or was made smaller for it.
+  [[nodiscard]] bool take_share_missed() { return std::exchange(share_missed_, false); }
+  /// [B/s] that the way carries when nobody else sends.
+  [[nodiscard]] double free_bytes_per_s(Time now) const { return peers_.free_bytes_per_s(now); }
+  /// [0, 1] of that air, used by them lately: bytes over what the way carries when nobody else
+  /// sends, mean of about 2 s.
+  [[nodiscard]] double airtime_used(Time now) const {
+    return of_share_.bytes_per_s(now) / free_bytes_per_s(now);
+  }
 
   /// There is a second path.
   void add_path() { peers_.add_path(params_.second_bytes_per_s); }
@@ -147,6 +161,7 @@ class LinkSender {
   };
 
   [[nodiscard]] bool has_waiting() const;
+  void note_share_missed(Time now);
   [[nodiscard]] static Source& source_of(Stream& stream, const Sample& sample);
   void enqueue(const StreamRule& rule, const Waiting& waiting);
   void hold(const StreamRule& rule, const Waiting& waiting);
@@ -187,6 +202,8 @@ class LinkSender {
   LinkPacer pacer_;
   Retransmitter retransmitter_;
   LinkAdaptation adaptation_;
+  RateMeter of_share_;
+  bool share_missed_ = false;
   LinkCounters counters_;
   std::size_t largest_piece_ = largest_piece;
   Compress compress_;

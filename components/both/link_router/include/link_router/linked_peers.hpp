@@ -18,7 +18,12 @@ namespace tocsin::router {
 
 /// One instance of a peer as a sender sees it.
 struct LinkedPeer {
-  LinkedPeer(PeerIndex number, InstanceId id) : index(number), instance(id) {}
+  LinkedPeer(PeerIndex number, InstanceId id)
+      : index(number), instance(id), estimators{LinkEstimator(phase_of(id)), LinkEstimator()} {}
+  /// [0, 1) Two routers do not have the same.
+  [[nodiscard]] static double phase_of(InstanceId id) {
+    return static_cast<double>(id % 997) / 997;
+  }
   PeerIndex index;
   InstanceId instance;
   std::set<StreamId> wanted;                         ///< streams that it reads
@@ -41,6 +46,8 @@ class LinkedPeers {
 
   /// There is a second path from now on, which carries at most so much; 0: what it can.
   void add_path(double most_bytes_per_s);
+  /// (0, 1] of the air of the first path for what waits for the radio; empty: all of it.
+  void set_airtime_share(std::optional<double> share);
   [[nodiscard]] bool has_two_paths() const { return second_bytes_per_s_.has_value(); }
   /// Chooses between two paths by what they are at `now`. Whether it is another one than before.
   bool choose_path(Time now);
@@ -63,7 +70,15 @@ class LinkedPeers {
     return capacity_bytes_per_s(path(), now);
   }
   [[nodiscard]] double capacity_bytes_per_s(PathIndex path, Time now) const;
-  /// How long what is sent at `now` would wait in the radio: longest of the live peers.
+  /// What waits for the radio waits for the share of the air, too.
+  [[nodiscard]] bool waits_for_share(Time now) const;
+  /// [B/s] of the first path while nobody else sends, of the slowest.
+  [[nodiscard]] double free_bytes_per_s(Time now) const;
+  /// [B/s] that the share of the air carries, of the slowest, while the first path is chosen;
+  /// infinite without a share.
+  [[nodiscard]] double share_bytes_per_s(Time now) const;
+  /// How long what is sent at `now` would wait in the radio, or for its share of the air: longest
+  /// of the live peers.
   [[nodiscard]] Duration backlog(Time now) const { return backlog(path(), now); }
   [[nodiscard]] Duration backlog(PathIndex path, Time now) const;
 
@@ -75,6 +90,7 @@ class LinkedPeers {
   std::map<std::string, LinkedPeer> peers_;
   PeerIndex last_ = 0;
   std::optional<double> second_bytes_per_s_;  ///< empty: there is one path
+  std::optional<double> airtime_share_;
   PathChoice choice_;
 };
 
