@@ -8,7 +8,7 @@
 namespace tocsin {
 namespace {
 
-constexpr Duration report_period = std::chrono::seconds(1);
+constexpr Duration use_period = std::chrono::seconds(1);
 
 }  // namespace
 
@@ -25,7 +25,7 @@ void AirtimeLink::begin(Instant at) {
 
 void AirtimeLink::finish(Instant at) {
   if (!keeper_.has_site() || at.now < next_report_) return;
-  next_report_ = owner_.next_instant(report_period, at.now);
+  next_report_ = owner_.next_instant(use_period, at.now);
   topic::AirtimeUse::Message use;
   use.stamp(ros_stamp(at.wall_ns));
   use.used(static_cast<float>(std::min(parts_.sender.airtime_used(at.now), 1.0)));

@@ -239,6 +239,18 @@ TEST_F(VehiclesTest, AFileMayExtendOneOfOneVehicle) {
   EXPECT_EQ(load("extends: one.yaml\nvehicles: {a: {address: 10.77.0.7}}\n").hosts[0].name, "a");
 }
 
+TEST_F(VehiclesTest, EachOfManyMayReadSeveralFiles) {
+  write("bringup/base.yaml", without("vehicles:\n  uxv1: {address: 10.77.0.11}\n  uxv2: {address: "
+                                     "10.77.0.12, variables: {start: \"3,0,0\", route: "
+                                     "\"${share}/${vehicle}.yaml\"}}\n"));
+  std::string many = "extends: base.yaml\nvehicles:\n";
+  for (int i = 1; i <= 60; ++i) {
+    const std::string n = std::to_string(i);
+    many += "  uxv" + n + ": {address: 10.77.1." + n + "}\n";
+  }
+  EXPECT_EQ(load(many).vehicles.size(), 60U);
+}
+
 TEST_F(VehiclesTest, RejectsWhatDoesNotFit) {
   const auto with = [](const std::string& part, const std::string& by) {
     return replaced(fleet, part, by);

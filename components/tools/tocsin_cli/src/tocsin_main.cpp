@@ -21,11 +21,11 @@ namespace tocsin::cli {
 namespace {
 
 /// What all of the repository's packages bring. `bringup/demo` builds some of them only.
-const std::array<std::string_view, 28> shipped{
-    "action", "bag",       "check",      "component", "decide",    "design",   "dock",
-    "doctor", "estop",     "experiment", "fit",       "interface", "keystore", "kobuki",
-    "launch", "lifecycle", "log",        "map",       "node",      "param",    "qos",
-    "report", "run",       "service",    "sim",       "teleop",    "top",      "topic"};
+const std::array<std::string_view, 29> shipped{
+    "action",    "archive", "bag",        "check", "component", "decide",   "design", "dock",
+    "doctor",    "estop",   "experiment", "fit",   "interface", "keystore", "kobuki", "launch",
+    "lifecycle", "log",     "map",        "node",  "param",     "qos",      "report", "run",
+    "service",   "sim",     "teleop",     "top",   "topic"};
 
 /// The first line that the verb's program prints with --help.
 std::string description(const std::string& verb, const Folders& folders) {

@@ -198,7 +198,7 @@ class Reader {
   }
 
   /// The file that `name` means.
-  [[nodiscard]] std::string file_of(const YAML::Node& name) const {
+  [[nodiscard]] std::string file_of(const YAML::Node& name) {
     const std::string& text = name.Scalar();
     const std::string beside = sources_.path(name, text);
     const fs::path shipped = fs::path(rules_.shipped) / text;
@@ -211,7 +211,7 @@ class Reader {
       fail(name, "no file " + beside + (bare ? ", nor is " + shipped.string() + " there" : ""));
     }
     refuse_circle(name, found);
-    if (sources_.files().size() >= most_files) {
+    if (++followed_ >= most_files) {
       fail(name, "more than " + std::to_string(most_files) + " files");
     }
     return found;
@@ -232,6 +232,7 @@ class Reader {
   YamlSources& sources_;
   std::vector<YamlRemoval>& removed_;
   std::vector<std::string> chain_;
+  std::size_t followed_ = 0;  ///< of all files
 };
 
 }  // namespace

@@ -42,11 +42,6 @@ class KnownLogs {
   bool has_heard_ = false;           ///< of any router
 };
 
-/// A time that a person said: above 0 in seconds since the Unix epoch, else in seconds before the
-/// log's `clock_ns`. `name` stands in front of the error. Throws ConfigError for what is neither.
-[[nodiscard]] std::int64_t time_of(const std::string& name, const std::string& text,
-                                   std::int64_t clock_ns);
-
 /// What a person said of a part of a log.
 struct SaidRange {
   std::string from;

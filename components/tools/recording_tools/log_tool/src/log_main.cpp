@@ -6,6 +6,7 @@
 #include <random>
 
 #include "command_line/command.hpp"
+#include "command_line/said_time.hpp"
 #include "command_line/stop_signal.hpp"
 #include "fetching.hpp"
 #include "foundation/error.hpp"

@@ -64,12 +64,6 @@ TEST(KnownLogs, TheNewestWordOfARouterCounts) {
   EXPECT_THAT(sut.table(t0 + std::chrono::seconds(10)), HasSubstr("          50         610.0 s"));
 }
 
-TEST(TimeOf, IsSinceTheEpochOrBeforeNow) {
-  EXPECT_EQ(time_of("--from", "1700000000.5", 0), 1'700'000'000'500'000'000);
-  EXPECT_EQ(time_of("--from", "-60", 1000 * second_ns), 940 * second_ns);
-  EXPECT_EQ(time_of("--to", "0", 1000 * second_ns), 1000 * second_ns);
-}
-
 TEST(KnownLogs, TellWhetherNobodyLogsOrNothingRuns) {
   KnownLogs sut;
   EXPECT_THAT(sut.why_none(), HasSubstr("nothing runs here: no router was heard"));
@@ -93,17 +87,6 @@ TEST(RequestFor, RefusesAPartThatIsEmpty) {
       ADD_FAILURE() << said.from << " " << said.to;
     } catch (const ConfigError& error) {
       EXPECT_THAT(error.what(), HasSubstr("--from: '" + said.from + "' is not before --to"));
-    }
-  }
-}
-
-TEST(TimeOf, NamesWhatIsNoTime) {
-  for (const char* const text : {"", "now", "10:30", "1e99", "-60s", "nan"}) {
-    try {
-      (void)time_of("--from", text, 0);
-      ADD_FAILURE() << text;
-    } catch (const ConfigError& error) {
-      EXPECT_THAT(error.what(), HasSubstr("--from: '" + std::string(text) + "' is no time"));
     }
   }
 }
