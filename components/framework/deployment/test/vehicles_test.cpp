@@ -246,7 +246,7 @@ TEST_F(VehiclesTest, EachOfManyMayReadSeveralFiles) {
   std::string many = "extends: base.yaml\nvehicles:\n";
   for (int i = 1; i <= 60; ++i) {
     const std::string n = std::to_string(i);
-    many += "  uxv" + n + ": {address: 10.77.1." + n + "}\n";
+    many += "  uxv" + n + ": {address: 10.77.0." + std::to_string(100 + i) + "}\n";
   }
   EXPECT_EQ(load(many).vehicles.size(), 60U);
 }

@@ -2,7 +2,7 @@
 // What vehicles on one channel do to each other, and what shares of its air are worth: each sends
 // what is urgent, and bulk without end; the last one stands far away. The rival of airtime shares
 // are shares that give all the same bytes, in as much of the air. usage: site [SECONDS [AIR [AIR]]]
-// AIR: of the channel, that the shares are of, without 802.11e and with it; 0.5 and 0.85.
+// AIR: of the channel, that the shares are of, without 802.11e and with it; 0.4 and 0.85.
 // Of the vehicles that stand near: delay of critical samples of both ways, what of them is lost or
 // later than 250 ms, and bulk. *w/o*: of its critical p99 without the far one.
 //
@@ -102,7 +102,7 @@ int main(int argc, char** argv) {
   return run_program("site", [&] {
     SiteRun run;
     if (argc > 1) run.length_s = std::stod(argv[1]);
-    const double air[] = {argc > 2 ? std::stod(argv[2]) : 0.5,
+    const double air[] = {argc > 2 ? std::stod(argv[2]) : 0.4,
                           argc > 3 ? std::stod(argv[3]) : 0.85};
     for (const bool access_categories : {false, true}) {
       run.access_categories = access_categories;

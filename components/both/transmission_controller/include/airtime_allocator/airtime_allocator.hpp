@@ -20,7 +20,7 @@ namespace tocsin {
 class AirtimeAllocator {
  public:
   struct Params {
-    double air = 0.5;
+    double air = 0.4;
     double driven_weight = 4;
     template <class Visitor>
     void visit(Visitor& v) {
