@@ -39,6 +39,10 @@ describe("A fleet led from one page", { concurrency: false }, () => {
     assert.notEqual(/running 1\/(\d+)/.exec(await row("uxv1"))[1], /running 1\/(\d+)/.exec(await row("uxv3"))[1], "their missions differ");
   });
 
+  it("tells what each uses of its share of the air", async () => {
+    for (const name of only) await eventually(`the air of ${name}`, async () => /Air\d+ of \d+ %/.test(await row(name)));
+  });
+
   it("stops the one whose button is pressed", async () => {
     await operator.page.evaluate(() => {
       [...document.querySelectorAll(".vehicle-row")].find((one) => one.querySelector("h3").textContent === "uxv3").querySelector(".press").click();

@@ -85,6 +85,10 @@ TEST_F(FleetTest, EachDrivesItsMissionAndTheRunEndsWithTheLast) {
     for (const std::string& place : heard) {
       EXPECT_EQ(own.count(place), 1u) << "the station of " << vehicle << " has another's " << place;
     }
+    const auto shares = column(stack_->recorded(vehicle + "/gcs", "airtime_use"), "share");
+    ASSERT_FALSE(shares.empty()) << vehicle << " was told no share of the air";
+    EXPECT_GT(std::stod(shares.back()), 0);
+    EXPECT_LT(std::stod(shares.back()), 1) << "while there are two";
   }
 }
 

@@ -110,6 +110,8 @@ TEST_F(SimulationTest, FiveVehiclesDriveTheirMissionsOnOneChannel) {
     EXPECT_THAT(recorded(1, side, "location"), Not(IsEmpty())) << vehicle;
     const auto states = column(recorded(1, side, "mission_status"), "state");
     EXPECT_EQ(states.empty() ? "none" : states.back(), "done") << vehicle;
+    // Which comes from what serves all of them, over the link and back.
+    EXPECT_GT(column(recorded(1, side, "airtime_use"), "share").size(), 50U) << vehicle;
   }
 }
 

@@ -62,8 +62,9 @@ TEST_F(SimHostTest, RefusesATopicThatItsRoleMayNotSendAndASecondType) {
 }
 
 /// Topics of one of several vehicles, as the whole site sees them.
-struct HeartbeatOfOne : topic::Heartbeat {
-  static constexpr TopicInfo info{"uxv1/heartbeat", topic::Heartbeat::info.qos, Scope::host};
+struct NavigationOfOne : topic::NavigationStatus {
+  static constexpr TopicInfo info{"uxv1/navigation_status", topic::NavigationStatus::info.qos,
+                                  Scope::host};
 };
 struct MissionOfOne : topic::MissionStatus {
   static constexpr TopicInfo info{"uxv1/mission_status", topic::MissionStatus::info.qos,
@@ -75,15 +76,17 @@ TEST_F(SimHostTest, WhatServesAllVehiclesMeetsTheTopicsOfEachByTheirNamespace) {
   site.homes[{"gcs", "uxv1"}] = &gcs_;
   SimHost station(site, "gcs", Role::gcs, TOCSIN_REPOSITORY "/config/traffic.yaml");
   SimProcess& common = station.add_process("common");
-  Reader& of_one = read<HeartbeatOfOne>(common);
-  Reader& own = read<topic::Heartbeat>(common);
+  Reader of_one;
+  Reader of_none;
+  const auto one = common.subscribe(endpoint<NavigationOfOne>(), of_one);
+  const auto none = common.subscribe(endpoint<topic::NavigationStatus>(), of_none);
   connect();
-  write<topic::Heartbeat>(drive_);
   Reader& on_board = read<topic::MissionStatus>(drive_);
+  write<topic::NavigationStatus>(drive_);
   write<MissionOfOne>(common);
   run_for(1);
   EXPECT_EQ(of_one.samples.size(), 1U) << "it crossed the link";
-  EXPECT_TRUE(own.samples.empty()) << "that is of no vehicle";
+  EXPECT_TRUE(of_none.samples.empty()) << "that is of no vehicle";
   EXPECT_EQ(on_board.samples.size(), 1U) << "and so did this";
 }
 

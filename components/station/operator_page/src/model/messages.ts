@@ -24,6 +24,7 @@ export type TopicTraffic = tocsin_msgs.TopicTraffic;
 export type TrafficReport = tocsin_msgs.TrafficReport;
 export type LinkClass = tocsin_msgs.LinkClass;
 export type LinkState = tocsin_msgs.LinkState;
+export type AirtimeUse = tocsin_msgs.AirtimeUse;
 export type StoredTopic = tocsin_msgs.StoredTopic;
 export type SafetyStatus = tocsin_msgs.SafetyStatus;
 export type EmergencyStopState = tocsin_msgs.EmergencyStopState;
@@ -57,6 +58,7 @@ const topics = {
   "camera/image_raw/compressed": of<CompressedImage>(),
   traffic_report: of<TrafficReport>(),
   link_state: of<LinkState>(),
+  airtime_use: of<AirtimeUse>(),
   safety_status: of<SafetyStatus>(),
   "emergency_stop/state": of<EmergencyStopState>(),
   "docking/status": of<DockingStatus>(),

@@ -6,6 +6,7 @@ import { Journal } from "./journal.ts";
 import { LinkClasses } from "./link_classes.ts";
 import { type Heard, vehicleLostAfterMs } from "./freshness.ts";
 import {
+  type AirtimeUse,
   type BatteryState,
   type CompressedImage,
   type ContainerState,
@@ -62,6 +63,7 @@ export class Side {
 const ofVehicle: ReadonlySet<Topic> = new Set<Topic>([
   "location", "network_quality", "navigation_status", "battery_state", "memory_usage", "cpu_load",
   "cpu_temperature", "camera/image_raw/compressed", "safety_status", "docking/status", "teleop/driver",
+  "airtime_use",
 ]);
 
 /** A late reader gets the last one at once, however old it is: no sign that its writer is alive. */
@@ -90,6 +92,8 @@ export class Station {
   cpuPercent: Heard<number> | undefined;
   temperatureC: Heard<number> | undefined;
   battery: Heard<BatteryState> | undefined;
+  /** Of the channel that vehicles share. */
+  airtime: Heard<AirtimeUse> | undefined;
   image: Heard<CompressedImage> | undefined;
   safety: Heard<SafetyStatus> | undefined;
   stop: Heard<EmergencyStopState> | undefined;
@@ -169,6 +173,7 @@ export class Station {
     cpu_load: (message, at) => (this.cpuPercent = { value: message.load_percent, at }),
     cpu_temperature: (message, at) => (this.temperatureC = { value: message.temperature, at }),
     battery_state: (value, at) => (this.battery = { value, at }),
+    airtime_use: (value, at) => (this.airtime = { value, at }),
     "camera/image_raw/compressed": (value, at) => (this.image = { value, at }),
     traffic_report: (message, at) => this.#onTraffic(message, at),
     link_state: (value, at) => {

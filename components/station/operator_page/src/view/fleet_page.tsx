@@ -4,6 +4,7 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import type { Alarm } from "../fleet/alarms.ts";
 import type { Fleet, Row } from "../fleet/fleet.ts";
 import { FleetMap } from "../fleet/fleet_map.ts";
+import type { AirtimeUse } from "../model/messages.ts";
 import { ageText } from "../model/freshness.ts";
 import { pageNow } from "../page_now.ts";
 import { Panel, Value, number } from "./parts.tsx";
@@ -53,6 +54,11 @@ function FleetHeader({ fleet, rows }: { fleet: Fleet; rows: readonly Row[] }) {
   );
 }
 
+/** Of the channel, for what can wait; a vehicle alone on it has no bound. */
+function airText({ used, share }: AirtimeUse): string {
+  return share < 1 ? `${number(100 * used, 0)} of ${number(100 * share, 0)} %` : number(100 * used, 0, "%");
+}
+
 /** Placed by its rank in the style: elements that are moved lose focus, and Chromium keeps old colours in them. */
 function VehicleRow({ row: { name, member, finding, page, rank }, now }: { row: Row; now: number }) {
   const { station } = member;
@@ -64,6 +70,7 @@ function VehicleRow({ row: { name, member, finding, page, rank }, now }: { row: 
       <dl class="values">
         <Value label="Mission" heard={station.mission} now={now} show={({ state, waypoint, waypoints }) => (waypoints > 0 ? `${state} ${waypoint + 1}/${waypoints}` : state)} />
         <Value label="QNI" heard={station.uxv.transmission} now={now} show={({ qni }) => number(qni, 0)} />
+        <Value label="Air" heard={station.airtime} now={now} show={airText} />
         <Value label="Battery" heard={station.battery} now={now} show={({ percentage }) => number(100 * percentage, 0, "%")} bad={({ percentage }) => percentage < 0.2} />
       </dl>
       <StopButton operator={member} now={now} hasKey={false} />
