@@ -24,19 +24,22 @@ struct Claim {
   double wanted;
 };
 
-/// Max-min fair by weight: the least claims are met first, the others divide what remains.
+/// Max-min fair by weight: the least claims are met first, the others divide what remains. Where
+/// all are met, they divide it too.
 void give(double air, std::vector<Claim> claims, std::vector<AirtimeAllocator::Share>& shares) {
   std::sort(claims.begin(), claims.end(), [](const Claim& one, const Claim& other) {
     return one.wanted / one.weight < other.wanted / other.weight;
   });
-  double weights = 0;
-  for (const Claim& one : claims) weights += one.weight;
+  double all_weights = 0;
+  for (const Claim& one : claims) all_weights += one.weight;
+  double weights = all_weights;
   for (const Claim& one : claims) {
     const double given = std::min(one.wanted, air * one.weight / weights);
     shares[one.vehicle].share = given;
     air -= given;
     weights -= one.weight;
   }
+  for (const Claim& one : claims) shares[one.vehicle].share += air * one.weight / all_weights;
 }
 
 }  // namespace

@@ -41,6 +41,12 @@ TEST(AirtimeAllocator, WhatOneDoesNotUseTheOthersHave) {
   EXPECT_DOUBLE_EQ(shares[2].share, 0.275);
 }
 
+TEST(AirtimeAllocator, WhereAllAreIdleEachHasItsPartReady) {
+  AirtimeAllocator sut({0.6, 4}, 3);
+  for (std::size_t i = 0; i < 3; ++i) sut.on_use(i, {0.001, 0.2, false}, t0);
+  for (const auto& one : sut.divide(t0).shares) EXPECT_DOUBLE_EQ(one.share, 0.2);
+}
+
 TEST(AirtimeAllocator, WhoBeginsToSendHasItsPartTwoReportsLater) {
   AirtimeAllocator sut({0.6, 4}, 2);
   sut.on_use(0, {0, 0.3, false}, t0);
