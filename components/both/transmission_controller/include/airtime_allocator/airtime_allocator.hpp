@@ -33,7 +33,7 @@ class AirtimeAllocator {
   };
   /// What a vehicle is told.
   struct Share {
-    double share = 1;     ///< (0, 1] of the air; 1: no bound, since no other vehicle is heard
+    double share = 1;     ///< (0, 1] of the air; 1: no bound, since all other vehicles are silent
     double fallback = 1;  ///< the same, when the site falls silent: even among all vehicles
   };
   /// What all are told.
@@ -41,7 +41,7 @@ class AirtimeAllocator {
     std::vector<Share> shares;
     std::size_t heard = 0;  ///< vehicles
   };
-  /// A vehicle that was not heard for longer has no use for air.
+  /// A vehicle that is silent for longer has no use for air.
   static constexpr Duration silence_limit = std::chrono::seconds(5);
 
   AirtimeAllocator(const Params& params, std::size_t vehicles);

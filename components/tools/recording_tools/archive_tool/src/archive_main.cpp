@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // tocsin archive sync | list | get | link: recordings in a folder or a bucket, and an index of
 // them that people ask.
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -17,6 +18,8 @@
 #include "command_line/stop_signal.hpp"
 #include "foundation/error.hpp"
 #include "foundation/printable.hpp"
+#include "foundation/replace_file.hpp"
+#include "foundation/ros_names.hpp"
 
 namespace tocsin::archive {
 namespace {
@@ -138,11 +141,7 @@ int sync(const Options& options) {
 
 /// 2026-11-29 16:45:00, UTC.
 std::string utc(std::int64_t ns) {
-  const std::time_t at = ns / 1'000'000'000;
-  std::tm parts{};
-  gmtime_r(&at, &parts);
-  return fmt::format("{:04}-{:02}-{:02} {:02}:{:02}:{:02}", parts.tm_year + 1900, parts.tm_mon + 1,
-                     parts.tm_mday, parts.tm_hour, parts.tm_min, parts.tm_sec);
+  return fmt::format("{:%Y-%m-%d %H:%M:%S}", fmt::gmtime(std::time_t{ns / 1'000'000'000}));
 }
 
 int list(const Options& options) {
@@ -168,11 +167,12 @@ int link(const Options& options) {
     }
     text += "\n";
   }
-  const bool to_file = !options.output.empty();
-  std::FILE* const file = to_file ? std::fopen(options.output.c_str(), "we") : stdout;
-  bool written = file != nullptr && std::fputs(text.c_str(), file) >= 0;
-  if (file != nullptr) written = (to_file ? std::fclose(file) : std::fflush(file)) == 0 && written;
-  if (!written) throw EnvironmentError(options.output + ": cannot be written");
+  if (options.output.empty()) {
+    if (std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0) return 0;
+    throw EnvironmentError("standard output cannot be written");
+  }
+  const std::error_code failed = replace_file(options.output, text, Sync::no);
+  if (failed) throw EnvironmentError(options.output + ": " + failed.message());
   return 0;
 }
 

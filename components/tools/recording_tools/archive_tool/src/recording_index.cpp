@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "recording_index.hpp"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -37,11 +38,10 @@ constexpr const char* link_readings =
     "MAX(signal_dbm) AS signal_dbm, MAX(loss_percent) AS loss_percent, MAX(qni) AS qni, "
     "MAX(battery_percent) AS battery_percent FROM readings GROUP BY vehicle, time_ns";
 constexpr const char* select_files =
-    "SELECT f.object, f.vehicle, f.host, f.from_ns, f.to_ns, f.bytes, COALESCE(SUM(t.messages), 0),"
+    "SELECT f.object, f.from_ns, f.to_ns, f.bytes, COALESCE(SUM(t.messages), 0),"
     " COALESCE(SUM(t.gaps), 0) FROM files f LEFT JOIN topics t ON t.file = f.id "
     "WHERE f.to_ns >= $1 AND f.from_ns <= $2 AND ($3 = '' OR f.vehicle = $3) "
-    "AND ($4 = '' OR t.topic = $4) GROUP BY f.id, f.object, f.vehicle, f.host, f.from_ns, f.to_ns, "
-    "f.bytes ORDER BY f.vehicle, f.from_ns, f.object";
+    "AND ($4 = '' OR t.topic = $4) GROUP BY f.id ORDER BY f.vehicle, f.from_ns, f.object";
 constexpr const char* select_readings =
     "SELECT time_ns, x_m, y_m, signal_dbm, loss_percent, qni, battery_percent FROM link_readings "
     "WHERE time_ns >= $1 AND time_ns <= $2 AND ($3 = '' OR vehicle = $3) "
@@ -51,10 +51,7 @@ std::int64_t whole(const std::string& text) { return std::strtoll(text.c_str(), 
 
 /// 20261129 for a day since the Unix epoch.
 std::string name_of_day(std::int64_t day) {
-  const std::time_t at = day * 86400;
-  std::tm utc{};
-  gmtime_r(&at, &utc);
-  return fmt::format("{:04}{:02}{:02}", utc.tm_year + 1900, utc.tm_mon + 1, utc.tm_mday);
+  return fmt::format("{:%Y%m%d}", fmt::gmtime(std::time_t{day * 86400}));
 }
 
 }  // namespace
@@ -135,8 +132,8 @@ std::vector<IndexedFile> RecordingIndex::files(const IndexQuery& query) {
   std::vector<IndexedFile> files;
   for (const SqlRow& row :
        database_->run(select_files, {query.from_ns, query.to_ns, query.vehicle, query.topic})) {
-    files.push_back({row[0], row[1], row[2], whole(row[3]), whole(row[4]), whole(row[5]),
-                     whole(row[6]), whole(row[7])});
+    files.push_back(
+        {row[0], whole(row[1]), whole(row[2]), whole(row[3]), whole(row[4]), whole(row[5])});
   }
   return files;
 }

@@ -24,8 +24,6 @@ struct IndexQuery {
 /// A recording of the archive.
 struct IndexedFile {
   std::string object;
-  std::string vehicle;
-  std::string host;
   std::int64_t from_ns = 0;
   std::int64_t to_ns = 0;
   std::int64_t bytes = 0;

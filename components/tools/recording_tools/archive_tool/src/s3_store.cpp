@@ -54,23 +54,18 @@ class S3Store final : public ObjectStore {
     perform(curl, object, answer);
   }
   void get(const std::string& object, const fs::path& to) override {
-    {
-      const File file = open_file(to, "wbx");
+    const File file = open_file(to, "wbx");
+    try {
       const Curl curl = request(object);
       set(curl, CURLOPT_FAILONERROR, 1L);
       set(curl, CURLOPT_WRITEDATA, file.get());
-      try {
-        perform(curl, object, "");
-      } catch (const EnvironmentError&) {
-        std::error_code ignored;
-        fs::remove(to, ignored);
-        throw;
-      }
-      if (std::fflush(file.get()) == 0) return;
+      perform(curl, object, "");
+      if (std::fflush(file.get()) != 0) throw EnvironmentError(to.string() + ": the disk is full");
+    } catch (const EnvironmentError&) {
+      std::error_code ignored;
+      fs::remove(to, ignored);
+      throw;
     }
-    std::error_code ignored;
-    fs::remove(to, ignored);
-    throw EnvironmentError(to.string() + ": the disk is full");
   }
 
  private:
