@@ -11,6 +11,7 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "bag/bag_reader.hpp"
@@ -123,6 +124,20 @@ std::uint64_t count_in(const std::string& folder, const std::string& topic) {
   return 0;
 }
 
+/// How many messages a bag holds of [from, to], and [s] from there to the last.
+std::pair<std::size_t, double> part(bag::BagReader& reader, std::int64_t from_ns,
+                                    std::int64_t to_ns) {
+  bag::Selection selection;
+  selection.from_ns = from_ns;
+  selection.to_ns = to_ns;
+  std::pair<std::size_t, double> found{0, 0};
+  const auto stream = reader.messages(selection);
+  while (const auto one = stream->next()) {
+    found = {found.first + 1, static_cast<double>(one->message.log_time_ns - from_ns) / 1e9};
+  }
+  return found;
+}
+
 /// A recording that runs; ends it by `signal`.
 class Recorder {
  public:
@@ -190,7 +205,9 @@ TEST_F(BagProgram, RecordsWhatIsSaidAndPlaysItAgain) {
 
 TEST_F(BagProgram, PlaysThePartThatIsWantedWithTheClockOfTheRecording) {
   record({"/chatter"}, 150, SIGINT, 0);
-  const std::int64_t start_ns = bag::BagReader(run).about().start_ns;
+  bag::BagReader reader(run);
+  const std::int64_t start_ns = reader.about().start_ns;
+  const auto [count, span_s] = part(reader, start_ns + 500'000'000, start_ns + 1'000'000'000);
   const auto graph = make_host_graph(options());
   std::mutex mutex;
   std::vector<std::int64_t> clock_s;
@@ -206,11 +223,9 @@ TEST_F(BagProgram, PlaysThePartThatIsWantedWithTheClockOfTheRecording) {
   const Ended played = call(
       {"play", run, "--start-offset", "0.5", "--playback-duration", "0.5", "--clock", "100"}, true);
   EXPECT_EQ(played.code, 0) << played.output;
-  const std::size_t at = played.output.find("Played ");
-  ASSERT_NE(at, std::string::npos) << played.output;
-  EXPECT_NEAR(std::stoi(played.output.substr(at + 7)), 50, 25);
+  EXPECT_THAT(played.output, HasSubstr("Played " + std::to_string(count) + " messages\n"));
   const std::lock_guard<std::mutex> lock(mutex);
-  EXPECT_GE(clock_s.size(), 20U);
+  EXPECT_GE(static_cast<double>(clock_s.size()), 0.4 * 100 * span_s) << "the clock until the last";
   for (const std::int64_t s : clock_s)
     EXPECT_NEAR(static_cast<double>(s), static_cast<double>(start_ns) / 1e9, 3);
 }
