@@ -2,6 +2,7 @@
 #include "link_router/link_router_component.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "acknowledgement_link.hpp"
@@ -37,7 +38,7 @@ class LinkRouterComponent::Router {
   Time tick(Instant at);
 
  private:
-  ReportOutputs reports_;
+  std::optional<ReportOutputs> reports_;
   const std::unique_ptr<LinkBus> link_;
   router::LinkSender sender_;
   router::LinkReceiver receiver_;
@@ -48,7 +49,7 @@ class LinkRouterComponent::Router {
 
 LinkRouterComponent::Router::Router(Component& owner, Context& context, Logger& log,
                                     const Params& params)
-    : reports_(owner),
+    : reports_(params.report ? std::make_optional<ReportOutputs>(owner) : std::nullopt),
       link_(open_link(owner)),
       sender_(params.link),
       streams_(*link_, sender_),
@@ -60,14 +61,15 @@ LinkRouterComponent::Router::Router(Component& owner, Context& context, Logger& 
   auto backfill = std::make_unique<BackfillLink>(owner, parts, context.computer,
                                                  backfill_params(context, params));
   live->set_backfill(*backfill);
-  auto reports = std::make_unique<ReportLink>(owner, reports_, parts, services_, context.role);
   services_.push_back(std::make_unique<RouterStop>(owner, context, *link_, log));
   services_.push_back(std::move(live));
   services_.push_back(std::move(acknowledgements));
   services_.push_back(std::make_unique<CallLink>(parts));
   if (context.role == Role::uxv) services_.push_back(std::make_unique<AirtimeLink>(owner, parts));
   services_.push_back(std::move(backfill));
-  services_.push_back(std::move(reports));
+  if (reports_)
+    services_.push_back(
+        std::make_unique<ReportLink>(owner, *reports_, parts, services_, context.role));
   if (link_->paths() > 1) sender_.add_path();
 }
 

@@ -56,6 +56,20 @@ void reject_variables(const YAML::Node& node, const std::string& owner,
   }
 }
 
+/// The two hosts of a relay, by their roles.
+Relay relay_of(const Deployment& deployment, bool has_vehicles) {
+  Relay relay;
+  for (const Host& host : deployment.hosts) {
+    (host.role == Role::uxv ? relay.site : relay.station) = host.name;
+  }
+  const bool has_both = !relay.site.empty() && !relay.station.empty();
+  if (has_both && deployment.hosts.size() == 2 && has_vehicles && !deployment.radio) return relay;
+  throw ConfigError(
+      "relay: needs `vehicles`, a host with role uxv, which is the site, and one with role gcs; no "
+      "`radio` (" +
+      deployment.file + ")");
+}
+
 Variables known_to_all(const std::string& run_dir, int seed, const std::string& share) {
   return {{"run_dir", run_dir}, {"seed", std::to_string(seed)}, {"share", share}};
 }
@@ -66,13 +80,15 @@ void BringupReader::read() {
   const YAML::Node root = read_root(&removed_);
   const Section section(root, "deployment", sources(),
                         body_keys({"domain", "parameters", "variables"}));
-  vehicles_ = read_vehicles(root, sources());
-  if (!vehicles_.empty()) keep_common(root, sources());
+  is_relay_ = section.flag("relay", false);
+  vehicles_ = read_vehicles(root, is_relay_, sources());
+  if (!vehicles_.empty()) keep_common(root, is_relay_, sources());
   variables_ = known_to_all(overrides_.run_dir, overrides_.seed, overrides_.share);
   expand(section.find("variables"), sources(), variables_);
   variables_.merge(read_variables(section, sources()));
   expand(root, sources(), variables_);
   read_body(section, sources(), Named::must_be_readable, deployment_);
+  if (is_relay_) deployment_.relay = relay_of(deployment_, !vehicles_.empty());
   domain_ = section.whole("domain", 0, 0, max_domain);
   parameters_.common = read_parameters(section, common_of_files());
   for (const VehicleEntry& vehicle : vehicles_) add(vehicle);
@@ -117,6 +133,10 @@ Variables BringupReader::variables_of(const VehicleEntry& vehicle, const YAML::N
                                      overrides_.seed + before * seed_step, overrides_.share);
   variables["vehicle"] = vehicle.name;
   const YAML::Node entry = root["vehicles"][vehicle.name];
+  if (!entry.IsMap()) {
+    variables.insert(variables_.begin(), variables_.end());
+    return variables;
+  }
   expand(entry, sources(), variables);
   variables.merge(read_variables(Section(entry, "vehicles." + vehicle.name, sources()), sources()));
   variables.insert(variables_.begin(), variables_.end());
@@ -126,16 +146,16 @@ Variables BringupReader::variables_of(const VehicleEntry& vehicle, const YAML::N
 void BringupReader::add(const VehicleEntry& vehicle) {
   const YAML::Node root = read_root(nullptr);
   const std::string like = vehicle_host(root, sources());
-  keep_own(root, sources());
+  keep_own(root, is_relay_, sources());
   const Variables variables = variables_of(vehicle, root);
   YAML::Node hosts = root["hosts"];
-  hosts[like]["address"] = vehicle.address;
+  if (!is_relay_) hosts[like]["address"] = vehicle.address;
   expand(hosts, sources(), variables);
   const Section section(root, "deployment", sources());
   parameters_.by_vehicle[vehicle.name] = read_parameters(section, variables);
   for (Host& host : read_hosts(hosts, sources())) {
-    host.name == like ? add_vehicle(std::move(host), vehicle.name)
-                      : add_station(std::move(host), vehicle.name);
+    host.name == like && !is_relay_ ? add_vehicle(std::move(host), vehicle.name)
+                                    : add_station(std::move(host), vehicle.name);
   }
   deployment_.vehicles.push_back(vehicle.name);
 }
@@ -169,7 +189,7 @@ void BringupReader::add_station(Host host, const std::string& vehicle) {
 
 /// The peers of the station are all vehicles.
 void BringupReader::set_peers() {
-  if (vehicles_.empty()) return;
+  if (vehicles_.empty() || is_relay_) return;
   std::vector<std::string> addresses;
   for (const VehicleEntry& vehicle : vehicles_) addresses.push_back(vehicle.address);
   for (Host& host : deployment_.hosts) {
@@ -204,7 +224,8 @@ void BringupReader::merge(Host& host, Container& container) const {
   const auto& own = vehicle.empty() ? parameters_.common : parameters_.by_vehicle.at(vehicle);
   const std::string process = host.name + "/" + container.name;
   Host facing = host;
-  if (!container.vehicle.empty()) facing.peers = {find_host(deployment_, vehicle)->address};
+  if (!container.vehicle.empty() && !is_relay_)
+    facing.peers = {find_host(deployment_, vehicle)->address};
   for (ComponentInstance& instance : container.components) {
     own.apply(process, instance);
     if (vehicle.empty() && !vehicles_.empty()) {

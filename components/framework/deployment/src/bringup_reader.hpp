@@ -50,6 +50,7 @@ class BringupReader {
   Deployment& deployment_;
   std::vector<YamlRemoval> removed_;
   std::vector<VehicleEntry> vehicles_;
+  bool is_relay_ = false;
   Variables variables_;  ///< of what is there once
   AllParameters parameters_;
   /// Processes of the station that are for each vehicle, by what the file calls them.

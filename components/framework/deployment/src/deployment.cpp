@@ -360,7 +360,8 @@ bool is_routed(const Host& host) { return has_one_of(host, {"link_router"}); }
 bool drives_a_vehicle(const Deployment& deployment) {
   const std::set<std::string> chain{"kobuki_driver", "safety_controller", "velocity_mux",
                                     "velocity_smoother"};
-  return std::any_of(deployment.hosts.begin(), deployment.hosts.end(),
+  return deployment.relay.has_value() ||
+         std::any_of(deployment.hosts.begin(), deployment.hosts.end(),
                      [&](const Host& host) { return has_one_of(host, chain); });
 }
 

@@ -56,7 +56,7 @@ Deployment part_of(const Deployment& deployment, const std::string& vehicle) {
   part.hosts.clear();
   for (Host host : deployment.hosts) {
     if (host.name != vehicle && is_vehicle(deployment, host.name)) continue;
-    if (host.name != vehicle) host.peers = {host.peers.at(index)};
+    if (host.name != vehicle && !deployment.relay) host.peers = {host.peers.at(index)};
     keep_for(vehicle, host);
     part.hosts.push_back(std::move(host));
   }
@@ -77,9 +77,24 @@ std::string vehicle_of(const Deployment& deployment, const Host& host, const Con
   return is_vehicle(deployment, host.name) ? host.name : container.vehicle;
 }
 
-std::string namespace_of(const Deployment& deployment, const Container& container) {
+std::string namespace_of(const Deployment& deployment, const Host& host,
+                         const Container& container) {
+  const std::string inner = routed_namespace_of(deployment, container);
+  const bool relays = deployment.relay && deployment.relay->site == host.name;
+  return relays && !container.vehicle.empty() ? deployment.relay->station + "/" + inner : inner;
+}
+
+std::string routed_namespace_of(const Deployment& deployment, const Container& container) {
   const std::string& outer = deployment.ros_namespace;
   return outer + (outer.empty() || container.vehicle.empty() ? "" : "/") + container.vehicle;
+}
+
+std::vector<std::string> peer_names_of(const Deployment& deployment, const Host& host,
+                                       const Container& container) {
+  if (container.vehicle.empty()) return {};
+  if (!deployment.relay) return {container.vehicle};
+  const Relay& relay = *deployment.relay;
+  return {relay.site == host.name ? relay.station : relay.site};
 }
 
 std::string run_dir_of(const Deployment& deployment, const Host& host, const Container& container) {

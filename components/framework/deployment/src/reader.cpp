@@ -175,7 +175,8 @@ std::vector<Host> read_hosts(const YAML::Node& hosts, const YamlSources& sources
 
 std::vector<std::string> body_keys(const std::vector<std::string>& more) {
   std::vector<std::string> keys{"qos",     "traffic", "namespace", "user",     "stop_when_exits",
-                                "restart", "radio",   "security",  "vehicles", "hosts"};
+                                "restart", "radio",   "security",  "vehicles", "relay",
+                                "hosts"};
   keys.insert(keys.end(), more.begin(), more.end());
   return keys;
 }

@@ -117,6 +117,19 @@ void write(YAML::Emitter& out, const Radio& radio) {
   out << EndMap;
 }
 
+void write(YAML::Emitter& out, const Relay& relay) {
+  out << YAML::Key << "relay" << YAML::Value << BeginMap;
+  text(out, "site", relay.site);
+  text(out, "station", relay.station);
+  out << EndMap;
+}
+
+std::optional<Relay> read_relay(const YAML::Node& node, const YamlSources& sources) {
+  if (!node.IsDefined()) return std::nullopt;
+  const Section section(node, "relay", sources, {"site", "station"});
+  return Relay{section.required_name("site"), section.required_name("station")};
+}
+
 /// Of the hosts, in their order, and of the link.
 void write_domains(YAML::Emitter& out, const Deployment& deployment) {
   out << YAML::Key << "domains" << YAML::Value << YAML::Flow << BeginSeq;
@@ -161,6 +174,7 @@ void write(YAML::Emitter& out, const Deployment& deployment) {
   write_all(out, "restart", deployment.restart);
   if (deployment.radio) write(out, *deployment.radio);
   if (!deployment.vehicles.empty()) texts(out, "vehicles", deployment.vehicles);
+  if (deployment.relay) write(out, *deployment.relay);
   out << YAML::Key << "hosts" << YAML::Value << BeginMap;
   for (const Host& host : deployment.hosts) write(out, host, deployment.sources);
   out << EndMap << EndMap;
@@ -208,6 +222,7 @@ Deployment load_resolved(const std::string& path, const std::string& copy) {
   deployment.share = section.text("share", "");
   deployment.seed = section.whole("seed", 1, 0, 1'000'000'000);
   deployment.vehicles = section.texts("vehicles");
+  deployment.relay = read_relay(section.find("relay"), deployment.sources);
   check_whole(deployment);
   read_domains(section, deployment);
   return deployment;

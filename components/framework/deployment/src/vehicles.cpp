@@ -27,6 +27,18 @@ void keep_containers(YAML::Node host, bool for_each) {
   host["containers"] = kept;
 }
 
+VehicleEntry read_vehicle(const std::string& name, const YAML::Node& node, bool is_relay,
+                          const YamlSources& sources) {
+  VehicleEntry vehicle{name, "", {}};
+  if (is_relay && node.IsNull()) return vehicle;
+  const Section section(node, "vehicles." + name, sources, {"address", "variables"});
+  if (!is_relay) vehicle.address = section.required_text("address");
+  if (is_relay && section.find("address").IsDefined())
+    section.fail("address", "is none of a vehicle behind a relay: its site's is that of the host");
+  for (const auto& one : read_variables(section, sources)) vehicle.variables.push_back(one.first);
+  return vehicle;
+}
+
 }  // namespace
 
 Variables read_variables(const Section& section, const YamlSources& sources) {
@@ -45,7 +57,8 @@ Variables read_variables(const Section& section, const YamlSources& sources) {
   return variables;
 }
 
-std::vector<VehicleEntry> read_vehicles(const YAML::Node& root, const YamlSources& sources) {
+std::vector<VehicleEntry> read_vehicles(const YAML::Node& root, bool is_relay,
+                                        const YamlSources& sources) {
   const YAML::Node node = root["vehicles"];
   if (!node.IsDefined()) return {};
   const Section all(node, "vehicles", sources);
@@ -55,10 +68,7 @@ std::vector<VehicleEntry> read_vehicles(const YAML::Node& root, const YamlSource
     check_name(name, "vehicles", entry.first, sources);
     if (name == to_string(Role::gcs))
       all.fail(name, "is the station's role, and no vehicle's name");
-    const Section section(entry.second, "vehicles." + name, sources, {"address", "variables"});
-    VehicleEntry vehicle{name, section.required_text("address"), {}};
-    for (const auto& one : read_variables(section, sources)) vehicle.variables.push_back(one.first);
-    vehicles.push_back(std::move(vehicle));
+    vehicles.push_back(read_vehicle(name, entry.second, is_relay, sources));
   }
   if (vehicles.empty()) {
     throw ConfigError("vehicles: must name at least one" + yaml_place(sources, node));
@@ -82,20 +92,22 @@ std::string vehicle_host(const YAML::Node& root, const YamlSources& sources) {
                     std::to_string(found.size()) + yaml_place(sources, root["vehicles"]));
 }
 
-void keep_common(const YAML::Node& root, const YamlSources& sources) {
+void keep_common(const YAML::Node& root, bool is_relay, const YamlSources& sources) {
   YAML::Node hosts = root["hosts"];
-  hosts.remove(vehicle_host(root, sources));
+  const std::string like = vehicle_host(root, sources);
+  if (!is_relay) hosts.remove(like);
   YAML::Node(root).remove("vehicles");
   for (const auto& host : hosts) {
     if (host.second.IsMap()) keep_containers(host.second, false);
   }
 }
 
-void keep_own(const YAML::Node& root, const YamlSources& sources) {
+void keep_own(const YAML::Node& root, bool is_relay, const YamlSources& sources) {
   const YAML::Node hosts = root["hosts"];
   const std::string vehicle = vehicle_host(root, sources);
   for (const auto& host : hosts) {
-    if (host.first.Scalar() == vehicle || !host.second.IsMap()) continue;
+    const bool stays = host.first.Scalar() == vehicle && !is_relay;
+    if (stays || !host.second.IsMap()) continue;
     YAML::Node other = host.second;
     other.remove("programs");
     keep_containers(other, true);

@@ -102,9 +102,9 @@ TEST_F(VehiclesTest, TheStationServesAllAndEach) {
               ElementsAre("page", "uxv1_link", "uxv1_mission", "uxv2_link", "uxv2_mission"));
   const Container& link = sut.hosts[2].containers[3];
   EXPECT_EQ(vehicle_of(sut, sut.hosts[2], link), "uxv2");
-  EXPECT_EQ(namespace_of(sut, link), "uxv2");
-  EXPECT_EQ(namespace_of(sut, sut.hosts[2].containers[0]), "");
-  EXPECT_EQ(namespace_of(sut, sut.hosts[1].containers[0]), "");
+  EXPECT_EQ(namespace_of(sut, sut.hosts[2], link), "uxv2");
+  EXPECT_EQ(namespace_of(sut, sut.hosts[2], sut.hosts[2].containers[0]), "");
+  EXPECT_EQ(namespace_of(sut, sut.hosts[1], sut.hosts[1].containers[0]), "");
   EXPECT_EQ(run_dir_of(sut, sut.hosts[2], link), "/tmp/run/uxv2");
   EXPECT_EQ(run_dir_of(sut, sut.hosts[2], sut.hosts[2].containers[0]), "/tmp/run");
   EXPECT_EQ(run_dir_of(sut, sut.hosts[0], sut.hosts[0].containers[0]), "/tmp/run/uxv1");
@@ -216,7 +216,7 @@ TEST_F(VehiclesTest, EachPartIsAFileToo) {
   EXPECT_EQ(part.hosts[0].local_domain, 41);
   EXPECT_EQ(part.hosts[1].local_domain, 42);
   EXPECT_EQ(part.link_domain, 44);
-  EXPECT_EQ(namespace_of(part, part.hosts[1].containers[1]), "uxv2");
+  EXPECT_EQ(namespace_of(part, part.hosts[1], part.hosts[1].containers[1]), "uxv2");
 }
 
 TEST_F(VehiclesTest, AFileForOneKnowsEachVehicleToo) {
@@ -279,6 +279,88 @@ TEST_F(VehiclesTest, WhatServesAllKnowsNoVehicle) {
       error_of(replaced(fleet, "components: [page]",
                         "components: [{component: page, parameters: {a: \"${vehicle}\"}}]")),
       HasSubstr("unknown variable 'vehicle'; allowed: ${route}, ${run_dir}, ${seed}"));
+}
+
+/// A second station behind a site's relay.
+const std::string second_station = R"(qos: ../qos.yaml
+traffic: ../traffic.yaml
+domain: 80
+relay: true
+parameters: [../p.yaml]
+vehicles: {uxv1: ~, uxv2: {variables: {route: b.yaml}}}
+variables: {route: a.yaml}
+hosts:
+  site:
+    role: uxv
+    domain: 69
+    address: 10.79.0.1
+    peers: [10.79.0.2]
+    containers:
+      - {name: relay, each_vehicle: true, components: [link_router]}
+  desk:
+    role: gcs
+    address: 10.79.0.2
+    peers: [10.79.0.1]
+    containers:
+      - {name: link, each_vehicle: true, components: [link_router, mission_control]}
+      - {name: page, components: [page, driver]}
+)";
+
+class RelayTest : public VehiclesTest {};
+
+TEST_F(RelayTest, BothHostsHaveWhatIsForEachVehicle) {
+  const Deployment sut = load(second_station);
+  ASSERT_EQ(sut.hosts.size(), 2U);
+  EXPECT_THAT(sut.vehicles, ElementsAre("uxv1", "uxv2"));
+  EXPECT_THAT(names_of(sut.hosts[0].containers), ElementsAre("uxv1_relay", "uxv2_relay"));
+  EXPECT_THAT(names_of(sut.hosts[1].containers), ElementsAre("page", "uxv1_link", "uxv2_link"));
+  EXPECT_EQ(sut.hosts[0].local_domain, 69);
+  EXPECT_EQ(parameter(sut, "desk", "uxv2_link", "file"), "b.yaml");
+}
+
+TEST_F(RelayTest, EachVehicleHasALinkBetweenTheTwo) {
+  const Deployment whole = load(second_station);
+  const Deployment part = part_of(whole, "uxv2");
+  EXPECT_EQ(part.link_domain, 83);
+  EXPECT_THAT(part.hosts[0].peers, ElementsAre("10.79.0.2"));
+  EXPECT_THAT(part.hosts[1].peers, ElementsAre("10.79.0.1"));
+  const Host& site = part.hosts[0];
+  const Host& desk = part.hosts[1];
+  ASSERT_THAT(names_of(site.containers), ElementsAre("uxv2_relay"));
+  EXPECT_EQ(namespace_of(part, site, site.containers[0]), "desk/uxv2");
+  EXPECT_EQ(routed_namespace_of(part, site.containers[0]), "uxv2");
+  EXPECT_THAT(peer_names_of(part, site, site.containers[0]), ElementsAre("desk"));
+  const Container& link = *find_container(desk, "uxv2_link");
+  EXPECT_EQ(namespace_of(part, desk, link), "uxv2");
+  EXPECT_EQ(routed_namespace_of(part, link), "uxv2");
+  EXPECT_THAT(peer_names_of(part, desk, link), ElementsAre("site"));
+}
+
+TEST_F(RelayTest, AHostAloneKnowsTheOtherByName) {
+  overrides_.host = "desk";
+  const Deployment desk = load(second_station);
+  const std::string resolved = path("resolved.yaml");
+  write_resolved(desk, resolved);
+  const Deployment sut = load_resolved(resolved);
+  ASSERT_EQ(sut.hosts.size(), 1U);
+  EXPECT_THAT(peer_names_of(sut, sut.hosts[0], *find_container(sut.hosts[0], "uxv1_link")),
+              ElementsAre("site"));
+  EXPECT_THAT(part_of(sut, "uxv2").hosts[0].peers, ElementsAre("10.79.0.1"));
+}
+
+TEST_F(RelayTest, RefusesWhatDoesNotFit) {
+  const std::string needs = "relay: needs `vehicles`, a host with role uxv";
+  EXPECT_THAT(error_of(replaced(second_station, "role: gcs", "role: uxv")),
+              HasSubstr("like the one host of role uxv"));
+  EXPECT_THAT(error_of(replaced(second_station, "uxv1: ~", "uxv1: {address: 10.79.0.3}")),
+              HasSubstr("vehicles.uxv1.address: is none of a vehicle behind a relay"));
+  EXPECT_THAT(error_of(replaced(second_station, "domain: 80",
+                                "domain: 80\nradio: {channel: ../channel.yaml, walls: "
+                                "../walls.yaml}")),
+              HasSubstr(needs));
+  EXPECT_THAT(error_of(replaced(second_station, "vehicles: {", "restart: {")),
+              HasSubstr("restart.uxv1"));
+  EXPECT_THAT(error_of(replaced(second_station, "relay: true", "relay: 3")), HasSubstr("relay"));
 }
 
 }  // namespace

@@ -53,6 +53,13 @@ std::size_t vehicles_of(const deployment::Deployment& deployment) {
   return std::max<std::size_t>(1, deployment.vehicles.size());
 }
 
+deployment::Deployment without_relay(deployment::Deployment deployment) {
+  if (!deployment.relay) return deployment;
+  throw ConfigError(deployment.file +
+                    ": a relay is a wire, and not simulated: tocsin launch does it; tocsin sim "
+                    "runs the file of its site");
+}
+
 RadioLink::Site site_of(const deployment::Deployment& deployment) {
   return {walls_of(deployment), static_cast<std::uint64_t>(deployment.seed),
           vehicles_of(deployment)};
@@ -67,7 +74,7 @@ bool is_base(const deployment::Program& program) {
 World::World(deployment::Deployment deployment, const WorldOptions& options)
     : core(core_of(options, vehicles_of(deployment))),
       log_clock([this] { return wall_time(core.now); }),
-      deployment_(std::move(deployment)),
+      deployment_(without_relay(std::move(deployment))),
       parts_(parts_of(deployment_)),
       options_(options),
       link_(core, channel_of(deployment_), site_of(deployment_)) {

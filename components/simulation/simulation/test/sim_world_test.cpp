@@ -84,6 +84,12 @@ TEST(SimWorld, GoesOnWhereItStopped) {
   EXPECT_EQ(rest.digest, at_once.digest);
 }
 
+TEST(SimWorld, RefusesARelay) {
+  deployment::Deployment deployment = small();
+  deployment.relay = deployment::Relay{"uxv", "gcs"};
+  EXPECT_THROW(SimWorld{deployment}, ConfigError);
+}
+
 TEST(SimWorld, WorldsInOneProcessDoNotTouchEachOther) {
   SimWorld alone(small());
   const Outcome expected = alone.run(seconds(5));

@@ -13,7 +13,7 @@ import { Recordings } from "./operator/recordings.ts";
 import { EmergencyStopOrder, type StopHeard } from "./orders/emergency_stop.ts";
 import { WhatIfQuery } from "./orders/what_if_query.ts";
 import { pageNow } from "./page_now.ts";
-import { Connection, type ServerInfo } from "./protocol/connection.ts";
+import { Connection, type ServerInfo, type UserRole } from "./protocol/connection.ts";
 import { emergencyStopRequest } from "./protocol/published.ts";
 import { StationFiles } from "./protocol/station_files.ts";
 import type { BagSource } from "./replay/bag_source.ts";
@@ -41,11 +41,13 @@ export class Operator {
     this.connection = this.#connectionTo(url);
     for (const topic of scanTopics) this.connection.want(topic, false);
     const isReplaying = (): boolean => this.recordings.player !== undefined;
-    this.driving = new ManualDriving(`page_${random64().toString(36).slice(0, 4)}`, this.live, this.connection, isReplaying);
+    const name = new URL(page).searchParams.get("name") ?? `page_${random64().toString(36).slice(0, 4)}`;
+    this.driving = new ManualDriving(name, this.live, this.connection, isReplaying, () => this.role);
     this.recordings = new Recordings(this.#files, this.connection, (text) => this.#say("error", "recording", text));
     this.mission = new OperatorMission(this.live, this.connection, {
       map: () => this.map,
       isReplaying,
+      role: () => this.role,
       otherDriver: () => this.driving.authority.other,
       onFault: (text) => this.#say("error", "mission", text),
       onChange: () => ++this.version,
@@ -55,6 +57,21 @@ export class Operator {
       const last = this.live.side(host).decisions.decisions.at(-1);
       return last?.made === undefined ? undefined : last.at - last.made;
     });
+  }
+
+  /** What the station lets this page do. */
+  get role(): UserRole {
+    return this.server?.role ?? "operator";
+  }
+
+  /** Whether this page may act on the vehicle, which it shows. */
+  get mayAct(): boolean {
+    return this.recordings.player === undefined && this.mayRelease;
+  }
+
+  /** Whether it may release the emergency stop. */
+  get mayRelease(): boolean {
+    return this.role !== "observer";
   }
 
   /** What is shown: the bag, or what is. */

@@ -150,7 +150,7 @@ describe("TeleopSender", () => {
 });
 
 describe("Driving by hand", () => {
-  const good: DriveConditions = { connected: true, vehicleAge: 100, cameraAge: 100, bySight: false, paused: false, stopped: false, replaying: false };
+  const good: DriveConditions = { connected: true, vehicleAge: 100, cameraAge: 100, bySight: false, paused: false, stopped: false, replaying: false, role: "operator" };
   it("is allowed by a fresh picture of a vehicle that is heard", () => {
     assert.equal(whyNotDrive(good), undefined);
     assert.equal(whyNotDrive({ ...good, vehicleAge: vehicleLimitMs, cameraAge: cameraLimitMs }), undefined);
@@ -162,6 +162,7 @@ describe("Driving by hand", () => {
       [{ vehicleAge: undefined }, /never heard/],
       [{ vehicleAge: vehicleLimitMs + 1 }, /last heard 1.5 s ago/],
       [{ stopped: true }, /emergency stop/],
+      [{ role: "observer" }, /an observer/],
       [{ cameraAge: undefined }, /no picture/],
       [{ cameraAge: undefined, paused: true }, /camera is paused by the gate/],
       [{ cameraAge: cameraLimitMs + 1, paused: true }, /camera is paused by the gate/],
@@ -202,6 +203,14 @@ describe("ControlAuthority", () => {
       sut.onReport(drives(then));
       assert.deepEqual([sut.taken, sut.asks, sut.waitsForRest], [true, false, true]);
     }
+  });
+  it("is taken over at once by a supervisor, when the vehicle says so", () => {
+    const sut = new ControlAuthority("me");
+    sut.onReport(drives("other"));
+    sut.takeOver();
+    assert.deepEqual([sut.taken, sut.takeRequest()], [false, "take"]);
+    sut.onReport(drives("me"));
+    assert.deepEqual([sut.taken, sut.asks, sut.waitsForRest], [true, false, true]);
   });
   it("is lost when the vehicle follows another", () => {
     const sut = new ControlAuthority("me");

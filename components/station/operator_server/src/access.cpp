@@ -15,8 +15,6 @@
 namespace tocsin::foxglove {
 namespace {
 
-constexpr std::size_t shortest_token = 16;
-
 /// `localhost` of `localhost:8765`, `[::1]` of `[::1]:8765`.
 std::string host_without_port(const std::string& host) {
   const std::size_t bracket = host.rfind(']');
@@ -76,7 +74,7 @@ std::optional<std::string> choose_protocol(const std::string& offered) {
 /// Whether the page that connects is our own. Without a token only a page that was reached under a
 /// name of this computer is: another name may have been made to lead here (DNS rebinding).
 bool is_own_page(const AccessRules& rules, const RequestFacts& request) {
-  if (rules.token.empty() && !names_this_computer(request.host)) return false;
+  if (rules.tokens.empty() && !names_this_computer(request.host)) return false;
   const std::string own = (rules.encrypted ? "https://" : "http://") + request.host;
   return request.origin.empty() || request.origin == own;
 }
@@ -90,8 +88,19 @@ bool is_known_client(const AccessRules& rules, const std::string& origin) {
   return is_loopback(rules.address) && std::find(known.begin(), known.end(), origin) != known.end();
 }
 
-/// Why it may not have what is not the same everywhere; none: it may.
-std::optional<Refuse> refusal_of(const AccessRules& rules, const RequestFacts& request) {
+/// None: its token is missing or wrong. Compares it with all of them, whichever it is.
+std::optional<UserRole> role_of_token(const AccessRules& rules, const RequestFacts& request) {
+  if (rules.tokens.empty()) return rules.role;
+  const std::string given = token_of(request);
+  std::optional<UserRole> role;
+  for (const AccessToken& one : rules.tokens) {
+    if (same_secret(one.token, given)) role = one.role;
+  }
+  return role;
+}
+
+/// Who asks for what is not the same everywhere, or why that is refused.
+std::variant<UserRole, Refuse> asker_of(const AccessRules& rules, const RequestFacts& request) {
   const bool is_named =
       std::any_of(rules.origins.begin(), rules.origins.end(), [&](const std::string& origin) {
         return origin == "*" || (!request.origin.empty() && origin == request.origin);
@@ -102,20 +111,19 @@ std::optional<Refuse> refusal_of(const AccessRules& rules, const RequestFacts& r
                            "' may not connect here; operator_server.origins: [" + whose +
                            "] lets it in"};
   }
-  if (!rules.token.empty() && !same_secret(rules.token, token_of(request))) {
-    return Refuse{401, "the token is missing or wrong: give it as ?token=... or as Bearer"};
-  }
-  return std::nullopt;
+  if (const auto role = role_of_token(rules, request)) return *role;
+  return Refuse{401, "the token is missing or wrong: give it as ?token=... or as Bearer"};
 }
 
 Verdict judge_socket(const AccessRules& rules, const RequestFacts& request) {
-  if (const auto refusal = refusal_of(rules, request)) return *refusal;
+  const auto asker = asker_of(rules, request);
+  if (const auto* const refusal = std::get_if<Refuse>(&asker)) return *refusal;
   const auto protocol = choose_protocol(request.protocols);
   if (!protocol) {
     return Refuse{400, "subprotocol '" + printable(request.protocols) +
                            "' is not one of: foxglove.sdk.v1, foxglove.websocket.v1"};
   }
-  return OpenSocket{*protocol};
+  return OpenSocket{*protocol, std::get<UserRole>(asker)};
 }
 
 bool is_plain(char c) {
@@ -175,11 +183,7 @@ bool is_loopback(const std::string& address) {
 }
 
 void check_access(const std::string& owner, const AccessRules& rules) {
-  if (!rules.token.empty() && rules.token.size() < shortest_token) {
-    throw ConfigError(owner + ".token_file: a token of " + std::to_string(rules.token.size()) +
-                      " characters is too short; at least " + std::to_string(shortest_token));
-  }
-  if (is_loopback(rules.address) || (!rules.token.empty() && rules.encrypted)) return;
+  if (is_loopback(rules.address) || (!rules.tokens.empty() && rules.encrypted)) return;
   throw ConfigError(owner + ".address: " + rules.address +
                     " is heard beyond this computer, which needs token_file, certificate and key; "
                     "without them only 127.0.0.1");
@@ -195,8 +199,9 @@ Verdict judge(const AccessRules& rules, const RequestFacts& request) {
   }
   std::string path = request.target.substr(1, request.target.find('?') - 1);
   if (const auto verdict = verdict_of_run(path, request)) {
-    const auto refusal = refusal_of(rules, request);
-    return refusal ? *refusal : *verdict;
+    const auto asker = asker_of(rules, request);
+    const auto* const refusal = std::get_if<Refuse>(&asker);
+    return refusal == nullptr ? *verdict : *refusal;
   }
   if (path.empty() || path.back() == '/') path += "index.html";
   if (!is_file_name(path)) return Refuse{404, "there is no such file"};

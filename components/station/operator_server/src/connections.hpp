@@ -49,6 +49,6 @@ void serve_http(Home& home, ClientStream stream, Lease lease);
 void turn_away(const std::string& why, ClientStream stream, Lease lease);
 /// Makes a WebSocket of a connection that has asked for it by `request`.
 void open_socket(Home& home, ClientStream stream, Lease lease, const Request& request,
-                 const std::string& protocol);
+                 const OpenSocket& verdict);
 
 }  // namespace tocsin::foxglove

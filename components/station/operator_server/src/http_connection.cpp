@@ -55,7 +55,7 @@ class HttpConnection final : public std::enable_shared_from_this<HttpConnection>
   }
 
   void give(const OpenSocket& socket) {
-    open_socket(home_, std::move(stream_), lease_, parser_->get(), socket.protocol);
+    open_socket(home_, std::move(stream_), lease_, parser_->get(), socket);
   }
   void give(SlowResponse&& make) {
     stream_.next_layer().expires_never();

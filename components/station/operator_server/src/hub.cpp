@@ -6,6 +6,7 @@
 
 #include <utility>
 
+#include "foundation/enum_words.hpp"
 #include "hub_client.hpp"
 
 namespace tocsin::foxglove {
@@ -44,11 +45,13 @@ HubClient* Hub::find(ClientId client) {
   return found == clients_.end() ? nullptr : found->second.get();
 }
 
-void Hub::add_client(ClientId id, std::uint64_t wall_ns) {
+void Hub::add_client(ClientId id, std::uint64_t wall_ns, UserRole role) {
   OutboxLimits limits;
   limits.backlog = settings_.backlog;
-  auto client = std::make_unique<HubClient>(limits);
-  client->outbox.add_control(server_info(settings_.server));
+  auto client = std::make_unique<HubClient>(limits, role);
+  ServerFacts server = settings_.server;
+  server.metadata["role"] = word_of(role);
+  client->outbox.add_control(server_info(server));
   client->outbox.add_control(time(wall_ns));
   std::map<std::uint32_t, Channel> channels;
   for (const auto& [number, known] : channels_) channels[number] = known.channel;

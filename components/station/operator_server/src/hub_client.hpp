@@ -7,13 +7,14 @@
 #include <string>
 
 #include "operator_server/outbox.hpp"
+#include "operator_server/user_role.hpp"
 
 namespace tocsin::foxglove {
 
 /// What the hub knows of one client.
 class HubClient {
  public:
-  explicit HubClient(const OutboxLimits& limits) : outbox(limits) {}
+  HubClient(const OutboxLimits& limits, UserRole role_of_it) : outbox(limits), role(role_of_it) {}
 
   void fault(const std::string& text) { outbox.add_control(status(Level::error, text)); }
   [[nodiscard]] bool hears_parameter(const std::string& name) const {
@@ -32,6 +33,7 @@ class HubClient {
   }
 
   Outbox outbox;
+  const UserRole role;
   std::map<std::uint32_t, std::uint32_t> subscriptions;  ///< channel by subscription
   std::map<std::uint32_t, ClientChannel> channels;       ///< that it publishes, by its own ids
   std::map<std::uint32_t, std::string> unheard;          ///< topics that nobody takes, by its ids

@@ -8,6 +8,7 @@
 #include "foundation/printable.hpp"
 #include "hub_client.hpp"
 #include "operator_server/hub.hpp"
+#include "tocsin_idl/topics.hpp"
 
 namespace tocsin::foxglove {
 namespace {
@@ -18,6 +19,13 @@ constexpr std::size_t most_channels = 100;        ///< that one client publishes
 /// What the 3D panels of Foxglove and Lichtblick have open whether anybody publishes there or not.
 bool is_customary(const std::string& topic) {
   return topic == "/move_base_simple/goal" || topic == "/clicked_point" || topic == "/initialpose";
+}
+
+/// What an observer may publish.
+bool is_emergency_stop(const std::string& topic) {
+  const std::string end = std::string("/") + topic::EmergencyStopRequest::info.name;
+  return topic.size() >= end.size() &&
+         topic.compare(topic.size() - end.size(), end.size(), end) == 0;
 }
 
 bool is_known_encoding(const std::string& encoding) {
@@ -63,6 +71,10 @@ struct Hub::Handler {
     return {AskParameters{id, std::move(message)}};
   }
   Orders operator()(SetParameters& message) const {
+    if (client.role == UserRole::observer) {
+      client.fault("parameters: an observer may not set them");
+      return {};
+    }
     return {ChangeParameters{id, std::move(message)}};
   }
   Orders operator()(const SubscribeParameters& message) const {
@@ -140,6 +152,8 @@ std::string Hub::fault_of(const HubClient& client, const ClientChannel& channel)
   const std::string topic = printable(channel.topic);
   if (!may_write(channel.topic))
     return topic + ": clients may not publish here (parameter writable)";
+  if (client.role == UserRole::observer && !is_emergency_stop(channel.topic))
+    return topic + ": an observer may not publish here";
   if (client.channels.count(channel.id) != 0) {
     return fmt::format("advertise: channel {} of this client is there already", channel.id);
   }
@@ -192,7 +206,8 @@ std::vector<Order> Hub::write(ClientId id, HubClient& client, Publish& message) 
     return {};
   }
   const ClientChannel& channel = found->second;
-  return {WriteMessage{id, channel.topic, channel.encoding, std::move(message.payload)}};
+  return {
+      WriteMessage{id, channel.topic, channel.encoding, std::move(message.payload), client.role}};
 }
 
 std::vector<Order> Hub::call(ClientId id, HubClient& client, const CallService& message) {
@@ -200,6 +215,8 @@ std::vector<Order> Hub::call(ClientId id, HubClient& client, const CallService& 
   std::string fault;
   if (found == services_.end()) {
     fault = fmt::format("there is no service {}", message.service);
+  } else if (client.role == UserRole::observer) {
+    fault = "an observer may not call services";
   } else if (!is_known_encoding(message.encoding)) {
     fault = "encoding '" + printable(message.encoding, 50) + "' is not one of: cdr, json";
   }

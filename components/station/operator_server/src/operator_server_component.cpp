@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "foundation/enum_words.hpp"
 #include "foundation/error.hpp"
 #include "foundation/names.hpp"
 #include "foundation/printable.hpp"
@@ -57,7 +58,7 @@ OperatorServerComponent::OperatorServerComponent(Context& context, const Params&
       parameters_(*this, seconds(params.service_timeout_s)) {
   // Each event is dealt with on this component's thread, before its next tick.
   foxglove::WebEvents events;
-  events.opened = [this](ClientId client, const std::string& peer) {
+  events.opened = [this](ClientId client, const foxglove::WebPeer& peer) {
     post([this, client, peer] { on_opened(client, peer); });
   };
   events.received = [this](ClientId client, foxglove::Frame::Kind kind, std::string&& bytes) {
@@ -98,10 +99,10 @@ void OperatorServerComponent::serve(Time now) {
   wake_at(next_try_);
 }
 
-void OperatorServerComponent::on_opened(ClientId client, const std::string& peer) {
-  log().info("client {} from {}", client, peer);
+void OperatorServerComponent::on_opened(ClientId client, const foxglove::WebPeer& peer) {
+  log().info("client {} from {}, {}", client, peer.address, word_of(peer.role));
   open_.insert(client);
-  hub_.add_client(client, static_cast<std::uint64_t>(bus().wall_ns(bus().now())));
+  hub_.add_client(client, static_cast<std::uint64_t>(bus().wall_ns(bus().now())), peer.role);
 }
 
 void OperatorServerComponent::on_received(ClientId client, foxglove::Frame::Kind kind,

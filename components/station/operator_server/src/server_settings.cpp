@@ -44,13 +44,11 @@ std::filesystem::path installed(const std::string& package, const std::string& f
   return {};
 }
 
-std::string token_in(const std::string& owner, const std::string& file) {
+std::vector<AccessToken> tokens_in(const std::string& owner, const std::string& file,
+                                   UserRole usual) {
   if (file.empty()) return {};
   constexpr std::size_t longest = 4096;
-  std::string token = read_file(file, longest);
-  token.erase(token.find_last_not_of(" \r\n") + 1);
-  if (token.empty()) throw ConfigError(owner + ".token_file: " + file + " is empty");
-  return token;
+  return parse_tokens(owner + ".token_file: " + file, read_file(file, longest), usual);
 }
 
 }  // namespace
@@ -81,8 +79,8 @@ WebSettings web_settings(const Context& context, const OperatorServerComponent::
     throw ConfigError(owner + ": certificate and key belong together; only one of them is given");
   }
   WebSettings settings;
-  settings.access = {params.address, token_in(owner, params.token_file),
-                     !params.certificate.empty(), params.origins};
+  settings.access = {params.address, tokens_in(owner, params.token_file, params.role),
+                     !params.certificate.empty(), params.origins, params.role};
   for (const FleetPage& page : fleet_pages(owner, params.fleet)) {
     settings.access.origins.push_back(page.origin);
   }

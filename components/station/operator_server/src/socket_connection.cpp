@@ -19,15 +19,15 @@ class SocketConnection final : public Socket,
   SocketConnection(Home& home, ClientStream stream, Lease lease)
       : home_(home), lease_(std::move(lease)), socket_(std::move(stream)) {}
 
-  void open(const Request& request, const std::string& protocol) {
+  void open(const Request& request, const OpenSocket& verdict) {
     const auto& settings = home_.settings();
     socket_.next_layer().next_layer().expires_never();
-    peer_ = text_of_peer();
+    peer_ = {text_of_peer(), verdict.role};
     const auto ping = milliseconds_of(settings.ping_s * 2);
     socket_.set_option(
         websocket::stream_base::timeout{milliseconds_of(settings.request_s), ping, true});
-    socket_.set_option(
-        websocket::stream_base::decorator([protocol](websocket::response_type& response) {
+    socket_.set_option(websocket::stream_base::decorator(
+        [protocol = verdict.protocol](websocket::response_type& response) {
           response.set(http::field::sec_websocket_protocol, protocol);
         }));
     socket_.read_message_max(settings.most_frame_bytes);
@@ -103,7 +103,7 @@ class SocketConnection final : public Socket,
   std::vector<Frame> frames_;
   std::size_t at_ = 0;
   ClientId id_ = 0;
-  std::string peer_;
+  WebPeer peer_;
   std::string reason_;
   bool closing_ = false;
   bool ended_ = false;
@@ -112,9 +112,9 @@ class SocketConnection final : public Socket,
 }  // namespace
 
 void open_socket(Home& home, ClientStream stream, Lease lease, const Request& request,
-                 const std::string& protocol) {
+                 const OpenSocket& verdict) {
   std::make_shared<SocketConnection>(home, std::move(stream), std::move(lease))
-      ->open(request, protocol);
+      ->open(request, verdict);
 }
 
 }  // namespace tocsin::foxglove

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <utility>
 
+#include "foundation/enum_words.hpp"
 #include "foundation/error.hpp"
 #include "foundation/names.hpp"
 #include "foundation/printable.hpp"
@@ -14,6 +15,7 @@
 #include "idl_support/type_registry.hpp"
 #include "operator_server/message_json.hpp"
 #include "runtime/host_control.hpp"
+#include "tocsin_idl/control_verb.hpp"
 #include "tocsin_idl/topics.hpp"
 
 namespace tocsin::foxglove {
@@ -46,6 +48,19 @@ std::optional<std::string> operator_of(const TypeInfo& type, const void* message
     return static_cast<const topic::DriverRequest::Message*>(message)->name();
   }
   return std::nullopt;
+}
+
+/// Why a client of this role may not say this; empty: it may.
+std::string refusal_of(UserRole role, const TypeInfo& type, const void* message) {
+  if (role == UserRole::observer && &type == &type_info<topic::EmergencyStopRequest::Message>()) {
+    const bool presses = static_cast<const topic::EmergencyStopRequest::Message*>(message)->data();
+    return presses ? "" : "an observer may press the emergency stop, and not release it";
+  }
+  if (role != UserRole::supervisor && &type == &type_info<topic::DriverRequest::Message>()) {
+    const auto& verb = static_cast<const topic::DriverRequest::Message*>(message)->verb();
+    return verb == word_of(ControlVerb::take) ? "only a supervisor takes control; ask for it" : "";
+  }
+  return {};
 }
 
 }  // namespace
@@ -132,6 +147,8 @@ TopicPorts::Written TopicPorts::write(const WriteMessage& message) {
   const TypeInfo& type = *writing->second.type;
   const MadeMessage made = message_from(type, message.encoding, message.payload);
   if (made.message == nullptr) return {message.topic + ": " + made.fault, {}};
+  const std::string refusal = refusal_of(message.role, type, made.message.get());
+  if (!refusal.empty()) return {message.topic + ": " + refusal, {}};
   if (writing->second.publication->write(made.message) != Status::ok) {
     return {message.topic + ": the middleware refused the message", {}};
   }

@@ -28,8 +28,14 @@ struct WebSettings {
 };
 
 /// What happens to connections. Called by the server's own thread; must not block.
+/// A client that has connected.
+struct WebPeer {
+  std::string address;
+  UserRole role = UserRole::operator_;
+};
+
 struct WebEvents {
-  std::function<void(ClientId, const std::string& peer)> opened;
+  std::function<void(ClientId, const WebPeer& peer)> opened;
   /// The next one comes after WebServer::read_on.
   std::function<void(ClientId, Frame::Kind, std::string&& bytes)> received;
   std::function<void(ClientId)> sent;  ///< all that was given to WebServer::send

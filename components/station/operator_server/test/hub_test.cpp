@@ -197,5 +197,38 @@ TEST_F(HubTest, NoFramesOfOneClientHarmAnother) {
   EXPECT_THAT(told(2), ElementsAre("data sound"));
 }
 
+TEST_F(HubTest, AnObserverReadsAndPressesTheEmergencyStop) {
+  HubSettings of_site = settings();
+  of_site.writable.emplace_back("/uxv1/emergency_stop/request");
+  Hub site(of_site);
+  const auto say_there = [&](const json& message) {
+    return site.on_frame(2, Frame::Kind::text, message.dump());
+  };
+  const auto open_there = [&](const std::string& topic, std::uint32_t id) {
+    return say_there(
+        {{"op", "advertise"},
+         {"channels",
+          {{{"id", id}, {"topic", topic}, {"encoding", "cdr"}, {"schemaName", "p/T"}}}}});
+  };
+  site.set_services({{"/serve", "pkg/srv/Type", {}, {}}});
+  site.add_client(2, 0, UserRole::observer);
+  const auto first = site.take(2, all);
+  EXPECT_THAT(first.at(0).head, HasSubstr(R"("role":"observer")"));
+  EXPECT_EQ(open_there("/uxv1/emergency_stop/request", 1).size(), 1U);
+  const auto pressed = site.on_frame(2, Frame::Kind::binary, "\x01\x01\x00\x00\x00"s + "true");
+  ASSERT_EQ(pressed.size(), 1U);
+  EXPECT_EQ(std::get<WriteMessage>(pressed[0]).role, UserRole::observer);
+  EXPECT_TRUE(open_there("/goal", 2).empty());
+  EXPECT_TRUE(say_there({{"op", "setParameters"}, {"parameters", json::array()}}).empty());
+  EXPECT_TRUE(site.on_frame(2, Frame::Kind::binary,
+                            "\x02\x01\x00\x00\x00\x01\x00\x00\x00\x03\x00\x00\x00"s + "cdr")
+                  .empty());
+  const auto told_it = site.take(2, all);
+  ASSERT_EQ(told_it.size(), 3U);
+  EXPECT_THAT(told_it[0].head, HasSubstr("/goal: an observer may not publish here"));
+  EXPECT_THAT(told_it[1].head, HasSubstr("an observer may not set them"));
+  EXPECT_THAT(told_it[2].head, HasSubstr("an observer may not call services"));
+}
+
 }  // namespace
 }  // namespace tocsin::foxglove

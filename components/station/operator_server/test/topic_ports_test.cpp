@@ -92,6 +92,25 @@ TEST_F(TopicPortsTest, SaysUnderWhoseNameAPersonDrivesOrAsksTo) {
   EXPECT_FALSE(sut_.write({1, "/goal", "json", "{}"}).by_operator);
 }
 
+TEST_F(TopicPortsTest, AnObserverReleasesNoStopAndOnlyASupervisorTakesControl) {
+  const auto write_as = [this](UserRole role, const std::string& topic, const std::string& text) {
+    return sut_.write({1, topic, "json", text, role}).fault;
+  };
+  const std::string stop = "/emergency_stop/request";
+  EXPECT_EQ(sut_.open(channel(stop, "std_msgs/msg/Bool")), "");
+  EXPECT_EQ(write_as(UserRole::observer, stop, R"({"data": true})"), "");
+  EXPECT_EQ(write_as(UserRole::observer, stop, R"({"data": false})"),
+            stop + ": an observer may press the emergency stop, and not release it");
+  EXPECT_EQ(write_as(UserRole::operator_, stop, R"({"data": false})"), "");
+
+  const std::string request = "/teleop/request";
+  EXPECT_EQ(sut_.open(channel(request, "tocsin_msgs/msg/DriverRequest")), "");
+  EXPECT_EQ(write_as(UserRole::operator_, request, R"({"name": "ben", "verb": "ask"})"), "");
+  EXPECT_EQ(write_as(UserRole::operator_, request, R"({"name": "ben", "verb": "take"})"),
+            request + ": only a supervisor takes control; ask for it");
+  EXPECT_EQ(write_as(UserRole::supervisor, request, R"({"name": "ben", "verb": "take"})"), "");
+}
+
 TEST_F(TopicPortsTest, WritesATopicThatNobodyStates) {
   EXPECT_EQ(sut_.open(channel("/crew/remark", "std_msgs/msg/String")), "");
   EXPECT_EQ(write("/crew/remark", R"({"data": "fog"})"), "");

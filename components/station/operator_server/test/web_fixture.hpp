@@ -32,7 +32,7 @@ class Heard {
  public:
   WebEvents events() {
     WebEvents made;
-    made.opened = [this](ClientId client, const std::string&) { add("opened", client); };
+    made.opened = [this](ClientId client, const WebPeer&) { add("opened", client); };
     made.received = [this](ClientId client, Frame::Kind, std::string&& bytes) {
       add("received " + bytes, client);
     };

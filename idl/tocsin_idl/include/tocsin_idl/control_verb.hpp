@@ -10,7 +10,10 @@ enum class ControlVerb {
   ask,   ///< for it, of the driver
   give,  ///< it to who asks, or up
   keep,  ///< it, whoever asks
+  take,  ///< it at once, whoever drives; of a supervisor
 };
-constexpr std::array<const char*, 3> words_of(ControlVerb) { return {"ask", "give", "keep"}; }
+constexpr std::array<const char*, 4> words_of(ControlVerb) {
+  return {"ask", "give", "keep", "take"};
+}
 
 }  // namespace tocsin

@@ -16,6 +16,7 @@ class LinkRouterComponent final : public Component {
  public:
   struct Params {
     router::LinkRouterParams link;
+    bool report = true;
     std::string store_directory;
     int store_bytes = 64'000'000;
     double store_age_s = 86'400;
@@ -24,6 +25,9 @@ class LinkRouterComponent final : public Component {
     template <class Visitor>
     void visit(Visitor& v) {
       link.visit(v);
+      v("report", report,
+        "tells link_state and traffic_report; off at a station behind a relay, which passes on the "
+        "site's");
       v("store_directory", store_directory,
         "folder of stored topics, for this router alone; empty: run folder/role/store, which later "
         "runs do not see");

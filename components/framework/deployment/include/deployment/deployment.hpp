@@ -103,6 +103,14 @@ struct Radio {
   std::string second = {};  ///< the channel of a second radio; empty: there is none
 };
 
+/// A site's host passes what its vehicles say on to another station, and the other way round. Its
+/// routers meet the vehicles' topics in the namespace of their names on the site's domain, and are
+/// in namespace `station/vehicle` themselves.
+struct Relay {
+  std::string site;     ///< name of the host of role uxv: for the station it is its vehicles
+  std::string station;  ///< name of the host of role gcs
+};
+
 /// When and how often a process that died is started again.
 struct RestartPolicy {
   double backoff_s = 0.2;  ///< [0.01, 60] wait before a restart, doubled by each one within 60 s
@@ -136,8 +144,10 @@ struct Deployment {
   RestartPolicy restart;
   std::optional<Radio> radio;
   std::vector<Host> hosts;  ///< one or two, in the file's order; several vehicles, then a station
-  /// Names of the hosts that are vehicles when `vehicles` of the file names them; else empty.
+  /// Names of the hosts that are vehicles when `vehicles` of the file names them; with a relay
+  /// those that stand behind its site; else empty.
   std::vector<std::string> vehicles;
+  std::optional<Relay> relay;
 };
 
 /// What the command line adds to a bringup file.
@@ -193,7 +203,14 @@ void write_parts(const Deployment& deployment);
 [[nodiscard]] std::string vehicle_of(const Deployment& deployment, const Host& host,
                                      const Container& container);
 /// Of the container's topics on its host; empty or words joined by '/'.
-[[nodiscard]] std::string namespace_of(const Deployment& deployment, const Container& container);
+[[nodiscard]] std::string namespace_of(const Deployment& deployment, const Host& host,
+                                       const Container& container);
+/// Of what its router takes from its host, and gives there.
+[[nodiscard]] std::string routed_namespace_of(const Deployment& deployment,
+                                              const Container& container);
+/// Names of those whom the container's router listens to on the link; empty: it does not matter.
+[[nodiscard]] std::vector<std::string> peer_names_of(const Deployment& deployment, const Host& host,
+                                                     const Container& container);
 /// The folder for the files of the container's components.
 [[nodiscard]] std::string run_dir_of(const Deployment& deployment, const Host& host,
                                      const Container& container);
@@ -206,8 +223,9 @@ void write_parts(const Deployment& deployment);
 /// the link.
 [[nodiscard]] bool is_routed(const Host& host);
 /// Whether a component of the chain before the wheels runs on one of its hosts: kobuki_driver,
-/// safety_controller, velocity_mux or velocity_smoother. Then the vehicle obeys this stack's
-/// emergency stop; without them a gateway carries the topics of another's robot.
+/// safety_controller, velocity_mux or velocity_smoother; with a relay behind its site. Then the
+/// vehicle obeys this stack's emergency stop; without them a gateway carries the topics of
+/// another's robot.
 [[nodiscard]] bool drives_a_vehicle(const Deployment& deployment);
 
 }  // namespace tocsin::deployment

@@ -25,7 +25,7 @@ BusOptions bus_options(const deployment::Deployment& whole, const deployment::Ho
   const deployment::Host& host = *find_host(deployment, host_of_all.name);
   BusOptions options{host.name + "_" + container.name,
                      host.role,
-                     namespace_of(deployment, container),
+                     namespace_of(deployment, host, container),
                      deployment.qos,
                      deployment.traffic,
                      host.local_domain,
@@ -39,7 +39,8 @@ BusOptions bus_options(const deployment::Deployment& whole, const deployment::Ho
     options.second_address = host.second->address;
     options.second_peers = host.second->peers;
   }
-  if (!container.vehicle.empty()) options.peer_names = {container.vehicle};
+  options.routed_namespace = routed_namespace_of(deployment, container);
+  options.peer_names = peer_names_of(deployment, host, container);
   options.chain = drives_a_vehicle(deployment) ? VehicleChain::ours : VehicleChain::foreign;
   return options;
 }

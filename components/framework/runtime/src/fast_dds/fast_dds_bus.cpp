@@ -92,7 +92,9 @@ class FastDdsBus final : public Bus, private HostControl, private LinkAccess {
   [[nodiscard]] std::vector<EndpointHealth> health() const override;
   [[nodiscard]] std::unique_ptr<HostGraph> open_graph() const override;
   std::unique_ptr<LinkBus> open_link(const std::function<void()>& on_event) override {
-    return make_fast_dds_link_bus(options_, on_event);
+    BusOptions options = options_;
+    options.ros_namespace = options_.routed_namespace.value_or(options_.ros_namespace);
+    return make_fast_dds_link_bus(options, on_event);
   }
   TopicChannel& channel(const Endpoint& endpoint);
   [[nodiscard]] std::unique_ptr<TopicChannel> make_channel(const Endpoint& endpoint);

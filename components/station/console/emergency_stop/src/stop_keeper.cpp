@@ -12,7 +12,7 @@ void StopKeeper::on_request(bool pressed, Time now) {
 }
 
 void StopKeeper::on_vehicle(bool stands, bool by_station) {
-  if (!wanted_ && by_station) wanted_ = true;
+  if (!wanted_ && by_station && only_station_) wanted_ = true;
   if (!stands && release_said_) confirmed_ = true;
 }
 

@@ -110,6 +110,14 @@ TEST_F(StopKeeperTest, TakesUpItsOwnStopAgainWhenItRemembersNothing) {
   EXPECT_EQ(say(t0), true);
 }
 
+TEST_F(StopKeeperTest, TakesUpNothingWhereThereAreOtherStations) {
+  StopKeeper::Params params;
+  params.only_station = false;
+  StopKeeper sut(params);
+  sut.on_vehicle(true, true);
+  EXPECT_FALSE(sut.word(t0));
+}
+
 TEST_F(StopKeeperTest, DoesNotTakeUpAStopThatAPersonHasReleased) {
   sut_.on_request(false, t0);
   vehicle_stands_by_station();

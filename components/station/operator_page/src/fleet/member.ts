@@ -24,6 +24,7 @@ export class Member {
   readonly stop = new EmergencyStopOrder();
   readonly connection: Connection;
   readonly name: string;
+  mayRelease = true;
   /** Messages that were received. */
   version = 0;
 
@@ -34,7 +35,7 @@ export class Member {
       url: socketOf(page),
       topics,
       onMessage: (topic, message) => this.#onMessage(topic, message),
-      onServer: () => undefined,
+      onServer: ({ role }) => (this.mayRelease = role !== "observer"),
       onParameter: () => undefined,
       onTrouble: () => undefined,
       now,

@@ -5,7 +5,7 @@ import type { Station } from "../model/station.ts";
 import { ControlAuthority, type DriveConditions, whyNotDrive } from "../orders/control_authority.ts";
 import { type Speeds, keysVelocity, padVelocity, speedChoices, stickVelocity } from "../orders/stick.ts";
 import { TeleopSender, type Velocity } from "../orders/teleop_sender.ts";
-import type { Connection } from "../protocol/connection.ts";
+import type { Connection, UserRole } from "../protocol/connection.ts";
 import { driverRequest, teleopVelocity } from "../protocol/published.ts";
 
 const stampNow = (): Stamp => {
@@ -30,6 +30,7 @@ export class ManualDriving {
     private readonly live: Station,
     private readonly connection: Connection,
     private readonly isReplaying: () => boolean,
+    private readonly role: () => UserRole,
   ) {
     this.authority = new ControlAuthority(name);
   }
@@ -44,6 +45,7 @@ export class ManualDriving {
       bySight: this.bySight,
       paused: live.uxv.transmission?.value.active === false,
       replaying: this.isReplaying(),
+      role: this.role(),
       stopped: live.safety?.value.emergency_stop ?? false,
     };
   }

@@ -5,7 +5,7 @@ import { type MissionDraft, draftOf } from "../model/mission_draft.ts";
 import type { Station } from "../model/station.ts";
 import { MissionOrder } from "../orders/mission_order.ts";
 import { type Phase, MissionRequest } from "../orders/mission_request.ts";
-import type { Connection } from "../protocol/connection.ts";
+import type { Connection, UserRole } from "../protocol/connection.ts";
 import { missionCommand } from "../protocol/published.ts";
 
 const drawId = (): Uint8Array => crypto.getRandomValues(new Uint8Array(16));
@@ -14,6 +14,7 @@ const drawId = (): Uint8Array => crypto.getRandomValues(new Uint8Array(16));
 export interface MissionSurroundings {
   readonly map: () => OccupancyGrid | undefined;
   readonly isReplaying: () => boolean;
+  readonly role: () => UserRole;
   /** Who else drives by hand; empty: nobody. */
   readonly otherDriver: () => string;
   readonly onFault: (text: string) => void;
@@ -53,6 +54,7 @@ export class OperatorMission {
     const places = this.draft?.places ?? [];
     const blocked = places.findIndex((place) => map !== undefined && !isFree(map, place));
     if (this.around.isReplaying()) return "A recording is shown.";
+    if (this.around.role() === "observer") return "You are an observer.";
     if (other !== "") return `${other} drives by hand: ask for control before.`;
     if (blocked >= 0) return `Place ${blocked + 1} is in a wall or beyond the map.`;
     if (places.length === 0) return "Press on the map, drag for the heading.";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { ageText } from "../model/freshness.ts";
+import type { UserRole } from "../protocol/connection.ts";
 import { type Velocity, isStanding, standing } from "./teleop_sender.ts";
 
 /** A picture that is older is none to drive by. */
@@ -18,11 +19,14 @@ export interface DriveConditions {
   readonly stopped: boolean;
   /** A recording is on the screen, not the vehicle. */
   readonly replaying: boolean;
+  /** What the station lets this page do. */
+  readonly role: UserRole;
 }
 
 /** Why the vehicle may not be driven by hand; undefined: it may. */
 export function whyNotDrive(conditions: DriveConditions): string | undefined {
-  const { connected, vehicleAge, cameraAge, bySight, paused, stopped, replaying } = conditions;
+  const { connected, vehicleAge, cameraAge, bySight, paused, stopped, replaying, role } = conditions;
+  if (role === "observer") return "you are an observer";
   if (replaying) return "a recording is shown";
   if (!connected) return "no connection to the station";
   if (vehicleAge === undefined) return "the vehicle was never heard";
@@ -34,7 +38,7 @@ export function whyNotDrive(conditions: DriveConditions): string | undefined {
   return cameraAge === undefined ? "there is no picture" : `the picture is ${ageText(cameraAge)} old`;
 }
 
-export type ControlVerb = "ask" | "give" | "keep";
+export type ControlVerb = "ask" | "give" | "keep" | "take";
 
 /** Who drives by hand, as the vehicle reports (teleop/driver). */
 export interface DriverReport {
@@ -84,6 +88,13 @@ export class ControlAuthority {
     if (this.other === "") return this.#begin();
     this.#asks = true;
     this.#requests.push("ask");
+  }
+
+  /** At once, whoever drives: for a supervisor. */
+  takeOver(): void {
+    this.lostTo = "";
+    this.#asks = true;
+    this.#requests.push("take");
   }
 
   release(): void {

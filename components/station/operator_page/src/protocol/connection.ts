@@ -4,7 +4,7 @@
 import { type Channel, FoxgloveClient, type IWebSocket, type Service } from "@foxglove/ws-protocol";
 
 import { type Decode, type Encode, decoderOf, encoderOf } from "./codec.ts";
-import { type Published, allPublished } from "./published.ts";
+import { type Published, allPublished, emergencyStopRequest } from "./published.ts";
 import { nameIn } from "./topic_name.ts";
 
 /** Both names of the protocol; the server chooses. */
@@ -25,9 +25,15 @@ export interface ConnectionState {
   readonly reason: string;
 }
 
+/** What a client may do; everybody may press the emergency stop. */
+export const userRoles = ["observer", "operator", "supervisor"] as const;
+export type UserRole = (typeof userRoles)[number];
+
 /** A server with what it said of itself. */
 export interface ServerInfo {
   readonly name: string;
+  /** Of this client; another server than ours tells none and refuses by itself. */
+  readonly role: UserRole;
   readonly metadata: Readonly<Record<string, string>>;
 }
 
@@ -173,8 +179,10 @@ export class Connection {
     client.on("open", mine(() => this.#opened()));
     client.on("serverInfo", mine((info) => {
       this.#namespace = info.metadata?.namespace ?? "";
-      this.#advertise();
-      options.onServer({ name: info.name, metadata: info.metadata ?? {} });
+      const metadata = info.metadata ?? {};
+      const role = userRoles.find((one) => one === metadata.role) ?? "operator";
+      this.#advertise(role === "observer" ? [emergencyStopRequest] : allPublished);
+      options.onServer({ name: info.name, role, metadata });
     }));
     client.on("status", mine((status) => options.onTrouble(status.message)));
     client.on("advertise", mine((channels) => this.#subscribe(channels)));
@@ -203,9 +211,9 @@ export class Connection {
   }
 
   /** Once the namespace is known, which the server tells first. */
-  #advertise(): void {
+  #advertise(published: readonly Published[]): void {
     const home = this.#namespace === "" ? "/" : `/${this.#namespace}/`;
-    for (const { topic, schemaName } of allPublished) {
+    for (const { topic, schemaName } of published) {
       const id = this.#client?.advertise({ topic: home + topic, schemaName, encoding: "cdr" });
       if (id !== undefined) this.#channels.set(topic, id);
     }

@@ -25,10 +25,12 @@ export function DrivePanel({ operator }: { operator: Operator; now: number }) {
         <div class="drive-words">
           <p class={`authority ${stateOf(operator).kind}`} role="status">{stateOf(operator).text}</p>
           <span class="buttons">
-            <button type="button" class={authority.taken || isRefused ? "" : "go"} aria-pressed={authority.taken} disabled={authority.asks}
+            <button type="button" class={authority.taken || isRefused ? "" : "go"} aria-pressed={authority.taken} disabled={authority.asks || operator.role === "observer"}
               title="Driving by hand (M)" onClick={take}>
               {label} <kbd>M</kbd>
             </button>
+            {operator.role === "supervisor" && authority.other &&
+              <button type="button" title="Control is yours at once" onClick={change(() => authority.takeOver())}>Take over</button>}
             {authority.askedBy && <button type="button" onClick={change(() => authority.keep())}>Keep it</button>}
           </span>
           <button

@@ -11,11 +11,12 @@ export function PageHeader({ operator, now }: { operator: Operator; now: number 
   const words = { open: "connected", connecting: "connecting", lost: "not connected" }[phase];
   const { vehicle, host } = operator.server?.metadata ?? {};
   const name = vehicle ?? host ?? "";
+  const role = operator.role === "operator" ? "" : `, ${operator.role}`;
   return (
     <header class="top">
       <div class="brand">
         <strong>Tocsin</strong>
-        <span class={`connection ${phase}`}>{name ? `${name}, ` : ""}{words}</span>
+        <span class={`connection ${phase}`}>{name ? `${name}, ` : ""}{words}{role}</span>
         {operator.server?.metadata.fleet && <a href={`fleet.html${window.location.search}`}>fleet</a>}
       </div>
       <StripView operator={operator} now={now} />

@@ -61,7 +61,7 @@ function Tools({ operator, map, onMission }: { operator: Operator; map: RefObjec
         type="button"
         title="Say where the vehicle is (L)"
         aria-pressed={operator.place.isArmed}
-        disabled={operator.recordings.player !== undefined}
+        disabled={!operator.mayAct}
         onClick={onPlace}
       >
         Place

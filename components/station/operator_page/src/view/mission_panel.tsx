@@ -10,13 +10,12 @@ import { Panel, Value, number } from "./parts.tsx";
 export function MissionPanel({ operator, now }: { operator: Operator; now: number }) {
   const { station } = operator;
   const state = station.mission?.value.state;
-  const isLive = operator.recordings.player === undefined;
-  const runs = isLive && leads(station.mission?.value);
+  const runs = operator.mayAct && leads(station.mission?.value);
   return (
     <Panel name="mission" title="Mission">
       <div class="buttons">
         <button type="button" disabled={!runs} onClick={() => operator.mission.pause(pageNow())}>Pause</button>
-        <button type="button" class={state === "paused" ? "go" : ""} disabled={!isLive || state !== "paused"}
+        <button type="button" class={state === "paused" ? "go" : ""} disabled={!operator.mayAct || state !== "paused"}
           onClick={() => operator.mission.resume(pageNow())}>
           Resume
         </button>
@@ -24,7 +23,7 @@ export function MissionPanel({ operator, now }: { operator: Operator; now: numbe
           onClick={() => operator.mission.skipWaypoint(pageNow())}>
           Skip waypoint
         </button>
-        <button type="button" disabled={!isLive || !canCancel(station.mission?.value) || operator.mission.isPending}
+        <button type="button" disabled={!operator.mayAct || !canCancel(station.mission?.value) || operator.mission.isPending}
           title="End the mission: the vehicle halts" onClick={() => void operator.mission.cancel()}>
           Cancel mission
         </button>

@@ -37,11 +37,11 @@ export function RecordingsBar({ operator }: { operator: Operator }) {
   );
 }
 
-function RecordNow({ operator: { recordings: { order } } }: { operator: Operator }) {
+function RecordNow({ operator: { recordings: { order }, role } }: { operator: Operator }) {
   const { recording, pending } = order;
   if (recording === undefined) return <span class="muted">No recorder of the station can be told to record.</span>;
   return (
-    <button type="button" class={recording ? "stop-recording" : "go"} disabled={pending}
+    <button type="button" class={recording ? "stop-recording" : "go"} disabled={pending || role === "observer"}
       onClick={() => order.ask(!recording, pageNow())}>
       {recording ? "End recording" : "Record now"}
     </button>

@@ -7,6 +7,7 @@ import { pageNow } from "../page_now.ts";
 /** Who can stop a vehicle. */
 export interface Stopper {
   readonly stop: EmergencyStopOrder;
+  readonly mayRelease: boolean;
   stopHeard(): StopHeard;
 }
 
@@ -26,7 +27,7 @@ export function StopButton({ operator, now, hasKey = true }: { operator: Stopper
   return (
     <div class={`stop ${kind}`}>
       <p role="status" aria-live="assertive">{text}</p>
-      {kind === "stands" && (
+      {kind === "stands" && operator.mayRelease && (
         <button type="button" class="release" onClick={release}>
           {asks ? "Really release?" : "Release"}
         </button>

@@ -8,21 +8,24 @@
 #include <variant>
 #include <vector>
 
+#include "operator_server/user_role.hpp"
+
 namespace tocsin::foxglove {
 
 /// What the server is set to.
 struct AccessRules {
   std::string address;                    ///< IPv4 or IPv6 on which it listens
-  std::string token = {};                 ///< empty: none is asked for
+  std::vector<AccessToken> tokens = {};   ///< empty: none is asked for
   bool encrypted = false;                 ///< TLS
   std::vector<std::string> origins = {};  ///< of other pages that may connect; "*": any
+  UserRole role = UserRole::operator_;    ///< of everybody, when there are no tokens
 };
 
 /// Whether an address is heard by this computer only.
 [[nodiscard]] bool is_loopback(const std::string& address);
 
 /// Throws ConfigError, with `owner` in front, when a server that listens beyond loopback would have
-/// no token or no TLS, or when the token is too short to be one.
+/// no token or no TLS.
 void check_access(const std::string& owner, const AccessRules& rules);
 
 /// What a HTTP request says that matters here; empty is absent.
@@ -38,6 +41,7 @@ struct RequestFacts {
 
 struct OpenSocket {
   std::string protocol;  ///< the subprotocol, which the answer repeats
+  UserRole role = UserRole::operator_;
 };
 struct ServeFile {
   std::string path;  ///< below the folder of the page, relative: `index.html`

@@ -13,6 +13,7 @@
 
 #include "operator_server/client_message.hpp"
 #include "operator_server/server_message.hpp"
+#include "operator_server/user_role.hpp"
 
 namespace tocsin::foxglove {
 
@@ -34,6 +35,7 @@ struct WriteMessage {
   std::string topic;
   std::string encoding;
   std::string payload;
+  UserRole role = UserRole::operator_;  ///< of the client
 };
 struct AskParameters {
   ClientId client;
@@ -59,7 +61,8 @@ class Hub {
   ~Hub();
 
   /// `wall_ns` [ns since the Unix epoch] is told at once: clients begin their time axis with it.
-  void add_client(ClientId client, std::uint64_t wall_ns);
+  /// The role is told, too.
+  void add_client(ClientId client, std::uint64_t wall_ns, UserRole role = UserRole::operator_);
   void remove_client(ClientId client);
   [[nodiscard]] std::size_t clients() const { return clients_.size(); }
 

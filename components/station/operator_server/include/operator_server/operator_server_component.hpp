@@ -23,6 +23,7 @@ namespace tocsin {
 
 namespace foxglove {
 class WebServer;
+struct WebPeer;
 struct WebSettings;
 }  // namespace foxglove
 
@@ -36,6 +37,7 @@ class OperatorServerComponent final : public Component {
     int port = 8765;
     std::string page;
     std::string token_file;
+    foxglove::UserRole role = foxglove::UserRole::operator_;
     std::string certificate;
     std::string key;
     std::vector<std::string> origins;
@@ -58,7 +60,10 @@ class OperatorServerComponent final : public Component {
       v("address", address, "IP address to listen at; beyond loopback a token and TLS are needed");
       v("port", port, {0, 65535}, "TCP port; 0: a free one");
       v("page", page, "folder of the page's files; empty: the installed package operator_page");
-      v("token_file", token_file, "file with the word that clients must know; empty: none");
+      v("token_file", token_file,
+        "file with a line ROLE TOKEN, or TOKEN, for those who know the token; empty: none");
+      visit_enum(v, "role", role, Choices{"observer", "operator", "supervisor"},
+                 "of a token without a role, and of all clients when there is no token_file");
       v("certificate", certificate, "PEM file of TLS; empty: no TLS");
       v("key", key, "PEM file with the certificate's private key");
       v("origins", origins, "of other pages that may connect: https://app.foxglove.dev; *: any");
@@ -99,7 +104,7 @@ class OperatorServerComponent final : public Component {
   void obey(const std::vector<foxglove::Order>& orders, Time now);
   struct Obey;
 
-  void on_opened(foxglove::ClientId client, const std::string& peer);
+  void on_opened(foxglove::ClientId client, const foxglove::WebPeer& peer);
   void on_received(foxglove::ClientId client, foxglove::Frame::Kind kind, const std::string& bytes);
   void on_closed(foxglove::ClientId client, const std::string& why);
 

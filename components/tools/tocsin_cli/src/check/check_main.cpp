@@ -76,7 +76,8 @@ void examine_files(const deployment::Deployment& deployment, BuiltGraph& built) 
       traffic.emplace(host.role, TrafficRules(deployment.traffic, host.role, chain));
     }
     const bool whole = built.findings.empty();
-    const Rules rules{qos, traffic, names_of_topics(), has_far_end(deployment.hosts)};
+    const Rules rules{qos, traffic, names_of_topics(),
+                      deployment.relay || has_far_end(deployment.hosts)};
     for (const Finding& finding : examine(built.graph, rules)) {
       // A component that could not be built leaves its readers and writers alone.
       if (whole || finding.severity == Severity::error) built.findings.push_back(finding);

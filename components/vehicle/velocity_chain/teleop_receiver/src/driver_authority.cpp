@@ -50,6 +50,13 @@ void DriverAuthority::keep(const std::string& name) {
   if (driver_ == name) asked_by_.reset();
 }
 
+void DriverAuthority::take(const std::string& name, Time now) {
+  settle(now);
+  driver_ = name;
+  last_command_ = now;
+  if (asked_by_ == name) asked_by_.reset();
+}
+
 Time DriverAuthority::next_deadline() const {
   if (!driver_) return never;
   const Time idle = last_command_ + idle_;

@@ -47,7 +47,8 @@ void TeleopReceiverComponent::obey(const topic::DriverRequest::Message& request,
   if (verb == ControlVerb::ask) return authority_.ask(name, now);
   if (verb == ControlVerb::give) return authority_.give(name, now);
   if (verb == ControlVerb::keep) return authority_.keep(name);
-  log().warn("{} asks for '{}', which is none of ask, give, keep", name,
+  if (verb == ControlVerb::take) return authority_.take(name, now);
+  log().warn("{} asks for '{}', which is none of ask, give, keep, take", name,
              printable(request.verb(), 20));
 }
 

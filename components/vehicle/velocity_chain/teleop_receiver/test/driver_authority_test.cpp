@@ -95,5 +95,18 @@ TEST_F(DriverAuthorityTest, ADriverWhoLetsGoWhileAskedHandsOver) {
   EXPECT_FALSE(sut_.driver()) << "he does not drive either";
 }
 
+TEST_F(DriverAuthorityTest, ASupervisorTakesItAtOnceAndWhoAskedStillWaits) {
+  drive("anna", 1);
+  sut_.ask("ben", now_);
+  sut_.take("carl", now_);
+  EXPECT_EQ(sut_.driver(), "carl");
+  EXPECT_FALSE(sut_.follows("anna", now_));
+  EXPECT_TRUE(sut_.follows("carl", now_ + seconds(1.9)));
+  EXPECT_EQ(sut_.asked_by(), "ben");
+  sut_.take("ben", now_ + seconds(1.9));
+  EXPECT_EQ(sut_.driver(), "ben");
+  EXPECT_FALSE(sut_.asked_by());
+}
+
 }  // namespace
 }  // namespace tocsin

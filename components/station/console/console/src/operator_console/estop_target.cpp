@@ -26,7 +26,7 @@ BusOptions bus_of(const deployment::Deployment& whole, const std::string& host_n
   BusOptions bus;
   bus.name = EmergencyStopOrder::process;
   bus.role = host.role;
-  bus.ros_namespace = namespace_of(deployment, place);
+  bus.ros_namespace = namespace_of(deployment, host, place);
   bus.host_domain = host.local_domain;
   bus.link_domain = deployment.link_domain;
   bus.link_address = host.address;

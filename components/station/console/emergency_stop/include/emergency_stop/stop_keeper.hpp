@@ -19,18 +19,23 @@ class StopKeeper {
  public:
   struct Params {
     double repeat_s = 0.2;
+    bool only_station = true;
     template <class Visitor>
     void visit(Visitor& v) {
       v("repeat_s", repeat_s, {0.05, 10}, "[s] between repetitions of a stop that stands");
+      v("only_station", only_station,
+        "a stop of a station that the vehicle reports is this one's; false behind a relay");
     }
   };
   static constexpr Duration release_said_for = std::chrono::seconds(2);
 
-  explicit StopKeeper(const Params& params) : repeat_(seconds(params.repeat_s)) {}
+  explicit StopKeeper(const Params& params)
+      : repeat_(seconds(params.repeat_s)), only_station_(params.only_station) {}
   /// A person presses or releases it.
   void on_request(bool pressed, Time now);
   /// What the vehicle says: whether it stands, and whether by the word of this station. A station
-  /// that knows of no request takes its own stop up again, as after a restart.
+  /// that knows of no request takes its own stop up again, as after a restart, if it is the only
+  /// one.
   void on_vehicle(bool stands, bool by_station);
   /// A stop that an earlier process of this station kept.
   void restore() { wanted_ = true; }
@@ -46,6 +51,7 @@ class StopKeeper {
  private:
   [[nodiscard]] bool says_release(Time now) const;
   Duration repeat_;
+  bool only_station_;
   std::optional<bool> wanted_;
   Time next_ = Time::min();
   Time release_until_ = Time::min();

@@ -14,7 +14,8 @@ namespace tocsin {
 /// Control is free until somebody drives, and again when the driver has given no command for
 /// `idle_s`. Who asks for it while another drives gets it when the driver gives it, lets go, or
 /// does not answer for `answer_s`; a driver who keeps it is not asked again by that. Of several who
-/// ask, the first waits and the others ask again. Pure; `now` must not decrease.
+/// ask, the first waits and the others ask again. A supervisor takes it at once: that one is, the
+/// station has checked. Pure; `now` must not decrease.
 class DriverAuthority {
  public:
   struct Params {
@@ -36,6 +37,7 @@ class DriverAuthority {
   /// Of somebody who does not drive: nothing.
   void give(const std::string& name, Time now);
   void keep(const std::string& name);
+  void take(const std::string& name, Time now);
   /// What time alone has changed. Call before reading, at the latest at `next_deadline`.
   void settle(Time now);
 

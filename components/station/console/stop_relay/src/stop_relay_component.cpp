@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stop_relay/stop_relay_component.hpp"
+
+#include <utility>
+
+#include "foundation/error.hpp"
+#include "foundation/names.hpp"
+#include "runtime/component_entry.hpp"
+
+namespace tocsin {
+namespace {
+
+/// The end of a topic of the vehicle, by its whole name on the site.
+template <class Topic>
+Endpoint end_of(const std::string& name, const Component& owner) {
+  TopicInfo info = Topic::info;
+  info.name = name.c_str();
+  return {info, &type_info<typename Topic::Message>(), Writers::optional, "", owner.node()};
+}
+
+std::string whole_name(const std::string& vehicle, const char* topic) {
+  if (!is_name(vehicle)) throw ConfigError("vehicle: '" + vehicle + "' must be " + name_rule);
+  return "/" + vehicle + "/" + topic;
+}
+
+}  // namespace
+
+StopRelayComponent::StopRelayComponent(Context& context, const Params& params)
+    : Component(context),
+      stop_topic_(whole_name(params.vehicle, topic::EmergencyStop::info.name)),
+      request_topic_(whole_name(params.vehicle, topic::EmergencyStopRequest::info.name)),
+      request_(*this, end_of<topic::EmergencyStopRequest>(request_topic_, *this)),
+      stop_(bus().advertise(end_of<topic::EmergencyStop>(stop_topic_, *this))) {}
+
+void StopRelayComponent::tick(Time now) {
+  while (const auto link = link_.take()) {
+    if (keeper_.wanted().value_or(false) == link->stands()) continue;
+    log().warn("emergency stop of the other station {}", link->stands() ? "ON" : "off");
+    keeper_.on_request(link->stands(), now);
+  }
+  while (const auto message = request_.take_message()) {
+    const auto request =
+        std::static_pointer_cast<const topic::EmergencyStopRequest::Message>(message);
+    if (!request->data() && left_.write(*request) == Status::failed)
+      log().warn("a release was not passed on");
+  }
+  if (const auto word = keeper_.word(now)) say(*word, now);
+  wake_at(keeper_.due(now));
+}
+
+void StopRelayComponent::say(bool pressed, Time now) {
+  auto message = std::make_shared<topic::EmergencyStop::Message>();
+  message->data(pressed);
+  if (stop_->write(std::move(message)) == Status::failed) log().warn("the stop was not sent");
+  keeper_.said(now);
+}
+
+}  // namespace tocsin
+
+TOCSIN_COMPONENT(tocsin::StopRelayComponent)
