@@ -55,6 +55,9 @@ class SecondStationTest : public ::testing::Test {
   [[nodiscard]] static Ended estop(const std::string& order, const Stack& station) {
     return run_to_end(Stack::program("tocsin-estop"), order + " --run-dir " + station.folder());
   }
+  [[nodiscard]] static bool says_that_it_stands(const Stack& station) {
+    return estop("status", station).output.find("stands by emergency stop of") != std::string::npos;
+  }
   /// By the last two locations that the vehicle has recorded, 0.2 s apart.
   [[nodiscard]] bool drives() const {
     const std::string all = vehicle_->recorded("uxv1/uxv", "location");
@@ -105,6 +108,7 @@ TEST_F(SecondStationTest, HearsTheVehicleStopsItAndLeadsIt) {
   const Ended on = estop("on", *desk_);
   EXPECT_EQ(on.code, 0) << on.output;
   EXPECT_TRUE(will_stand());
+  EXPECT_TRUE(Stack::eventually(seconds(5), [&] { return says_that_it_stands(*desk_); }));
   const Ended not_its_own = estop("off", *station_);
   EXPECT_NE(not_its_own.code, 0) << "who pressed must release: " << not_its_own.output;
   EXPECT_FALSE(drives());
@@ -115,6 +119,7 @@ TEST_F(SecondStationTest, HearsTheVehicleStopsItAndLeadsIt) {
   const Ended at_site = estop("on", *station_);
   EXPECT_EQ(at_site.code, 0) << at_site.output;
   EXPECT_TRUE(will_stand());
+  EXPECT_TRUE(Stack::eventually(seconds(5), [&] { return says_that_it_stands(*desk_); }));
   EXPECT_EQ(estop("off", *station_).code, 0) << "the second station has not taken it for its own";
   EXPECT_TRUE(will_drive()) << all_output();
 

@@ -110,7 +110,8 @@ ParameterSet BringupReader::read_parameters(const Section& section, const Variab
     expand(root, sources(), variables);
     parameters.add_file(root, sources());
   }
-  for (const std::string& setting : overrides_.set) parameters.add_setting(setting, sources());
+  for (const std::string& setting : overrides_.set)
+    parameters.add_setting(setting, variables, sources());
   return parameters;
 }
 

@@ -54,7 +54,8 @@ void ParameterSet::add_file(const YAML::Node& root, const YamlSources& sources) 
   }
 }
 
-void ParameterSet::add_setting(const std::string& setting, YamlSources& sources) {
+void ParameterSet::add_setting(const std::string& setting, const Variables& variables,
+                               YamlSources& sources) {
   const std::size_t dot = setting.find('.');
   const std::size_t equals = setting.find('=');
   if (equals == std::string::npos || dot == std::string::npos || dot == 0 || equals < dot + 2) {
@@ -65,6 +66,7 @@ void ParameterSet::add_setting(const std::string& setting, YamlSources& sources)
   const std::string key = setting.substr(dot + 1, equals - dot - 1);
   const std::string written = setting.substr(equals + 1);
   const YAML::Node value = sources.parse(written.empty() ? "''" : written, "--set " + setting);
+  expand(value, sources, variables, RelativePaths::as_written);
   settings_.push_back({component, sources.parse("'" + key + "'", "--set " + setting), value});
 }
 

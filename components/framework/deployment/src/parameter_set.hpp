@@ -18,7 +18,8 @@ class ParameterSet {
   /// `sources` must outlive the set.
   void add_file(const YAML::Node& root, const YamlSources& sources);
   /// Adds "name.key=value" or "host/name.key=value", value in YAML; no value is an empty text.
-  void add_setting(const std::string& setting, YamlSources& sources);
+  /// Variables are replaced in it.
+  void add_setting(const std::string& setting, const Variables& variables, YamlSources& sources);
   /// Puts what was added from files below, and the settings above, the instance's own parameters.
   /// `process` is "host/process".
   void apply(const std::string& process, ComponentInstance& instance) const;

@@ -50,15 +50,18 @@ std::string replaced(const std::string& text, const YAML::Node& node, const Yaml
 
 }  // namespace
 
-void expand(const YAML::Node& node, const YamlSources& sources, const Variables& variables) {
+void expand(const YAML::Node& node, const YamlSources& sources, const Variables& variables,
+            RelativePaths paths) {
   if (!node.IsDefined()) return;
   if (node.IsScalar()) {
     std::string text = replaced(node.Scalar(), node, sources, variables);
-    if (is_relative_path(text)) text = sources.path(node, text);
+    if (paths == RelativePaths::of_the_file && is_relative_path(text))
+      text = sources.path(node, text);
     YAML::Node same = node;
     if (text != node.Scalar()) same = text;  // in place, so that it keeps its line
   }
-  for (const auto& entry : node) expand(node.IsMap() ? entry.second : entry, sources, variables);
+  for (const auto& entry : node)
+    expand(node.IsMap() ? entry.second : entry, sources, variables, paths);
 }
 
 Section::Section(const YAML::Node& node, std::string owner, const YamlSources& sources)

@@ -11,13 +11,17 @@
 
 namespace tocsin::deployment {
 
+/// What a path that begins with ./ or ../ means.
+enum class RelativePaths { of_the_file, as_written };
+
 /// What ${name} means in a file.
 using Variables = std::map<std::string, std::string>;
 
 /// Replaces every ${name} in the texts of `node`, and makes texts that start with ./ or ../
 /// absolute, relative to the folder of their file. The nodes stay where they were written; one that
 /// is not there stays so. Throws ConfigError for an unknown name.
-void expand(const YAML::Node& node, const YamlSources& sources, const Variables& variables);
+void expand(const YAML::Node& node, const YamlSources& sources, const Variables& variables,
+            RelativePaths paths = RelativePaths::of_the_file);
 
 /// Whether the files that a file names must be there.
 enum class Named { must_be_readable, may_be_gone };

@@ -52,6 +52,15 @@ TEST_F(ParameterSetTest, SettingsOverrideEverything) {
   EXPECT_EQ(value("driver", "path"), "a=b.c");
 }
 
+TEST_F(ParameterSetTest, ASettingKnowsVariablesAndLeavesItsPathsAsTheyAre) {
+  files_ = "[]";
+  overrides_.set = {"driver.path=/maps/${seed}", "pilot.file=./x"};
+  EXPECT_EQ(value("driver", "path"), "/maps/7");
+  EXPECT_EQ(value("pilot", "file"), "./x");
+  overrides_.set = {"driver.path=${sed}"};
+  EXPECT_THAT(error(), HasSubstr("unknown variable 'sed'"));
+}
+
 TEST_F(ParameterSetTest, ASettingMayNameOneHost) {
   files_ = "[]";
   overrides_.set = {"uxv/driver.rate=5"};

@@ -19,6 +19,10 @@ struct RequestAtTheSite {
   static constexpr TopicInfo info{"/uxv1/emergency_stop/request", "event", Scope::host,
                                   Requests::anything};
 };
+struct StateAtTheSite {
+  using Message = topic::EmergencyStopState::Message;
+  static constexpr TopicInfo info{"/uxv1/emergency_stop/state", "state", Scope::host};
+};
 using Words = std::vector<bool>;
 
 StopRelayComponent::Params for_vehicle(const std::string& name) {
@@ -47,6 +51,7 @@ class StopRelayComponentTest : public ::testing::Test {
   Context context_{bus_, "stop_relay", Role::uxv};
   SimReader<StopAtTheSite> stops_{bus_};
   SimReader<topic::EmergencyStopRequest> releases_{bus_};
+  SimReader<topic::SafetyStatus> statuses_{bus_};
   StopRelayComponent sut_{context_, for_vehicle("uxv1")};
 };
 
@@ -76,6 +81,25 @@ TEST_F(StopRelayComponentTest, AReleaseAtTheSiteEndsWhatAStationHasLeft) {
   bus_.publish<RequestAtTheSite>(request);
   bus_.run_for(seconds(0.1));
   EXPECT_EQ(words(releases_), Words{false});
+}
+
+TEST_F(StopRelayComponentTest, TellsTheOtherStationWhatTheSiteKnowsOfTheVehicle) {
+  const auto told = [this](const std::string& vehicle, const std::vector<std::string>& by) {
+    StateAtTheSite::Message state;
+    state.vehicle(vehicle);
+    state.stopped_by(by);
+    bus_.publish<StateAtTheSite>(state);
+    bus_.run_for(seconds(0.1));
+    return statuses_.take();
+  };
+  EXPECT_TRUE(told("unheard", {}).empty());
+  const auto stands = told("stands", {"station"});
+  ASSERT_EQ(stands.size(), 1U);
+  EXPECT_TRUE(stands[0].emergency_stop());
+  EXPECT_EQ(stands[0].stopped_by(), std::vector<std::string>{"station"});
+  const auto drives = told("may_drive", {});
+  ASSERT_EQ(drives.size(), 1U);
+  EXPECT_FALSE(drives[0].emergency_stop());
 }
 
 TEST(StopRelayStart, NeedsAVehicle) {
