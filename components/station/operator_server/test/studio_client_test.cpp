@@ -113,7 +113,7 @@ TEST(StudioOriginTest, IsLetInOnLoopback) {
   for (const char* origin : {"file://", "app://foxglove", "https://app.foxglove.dev",
                              "https://studio.foxglove.dev", "http://localhost:8080"}) {
     EXPECT_TRUE(is_let_in({"127.0.0.1"}, origin)) << origin;
-    EXPECT_FALSE(is_let_in({"0.0.0.0", "0123456789abcdef", true}, origin)) << origin;
+    EXPECT_FALSE(is_let_in({"0.0.0.0", {{"0123456789abcdef"}}, true}, origin)) << origin;
   }
 }
 
