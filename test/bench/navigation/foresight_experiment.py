@@ -10,8 +10,10 @@ an earlier mission in the same building; other, from an earlier mission in anoth
 `tocsin experiment`, what of it differs from policy none without a map over pairs of equal seeds, and 95 % intervals. FOLDER
 keeps the runs, and the same command goes on there. Needs a sourced installation (tocsin).
 """
+import concurrent.futures
 import csv
 import math
+import os
 import pathlib
 import shutil
 import statistics
@@ -34,14 +36,14 @@ METRICS = ("user_cost", "critical_late", "high_late", "low_delivered", "location
 
 def policy_text(name, policy, kind, maps):
     detour = 0 if kind == "none" else 0.15
-    folder = f"{maps}/{name}/${{seed}}" if kind in ("known", "other") or name == "learn" else ""
+    folder = f"{maps}/{name}/${{seed}}" if kind in ("known", "other") else ""
     return (f"  - {{name: {name}, policy: {policy}, set: [navigator.link_detour={detour}, "
             f"\"link_mapper.map_name={folder}\"]}}\n")
 
 
-def experiment_text(bringup, missions, channel, rows, maps, seeds):
+def experiment_text(bringup, missions, channel, rows, maps, seeds, duration_s=900):
     """Of one radio; it has the same name for both, so both have the same seeds."""
-    text = f"bringup: {bringup}\nwithout: [gcs/view]\nduration_s: 900\nwarm_up_s: 12\nmissions:\n"
+    text = f"bringup: {bringup}\nwithout: [gcs/view]\nduration_s: {duration_s}\nwarm_up_s: 5\nmissions:\n"
     text += "".join(f"  - {{name: {name}, file: {file}}}\n" for name, file in missions)
     text += f"channels:\n  - {{name: radio, file: \"{channel}\"}}\n"
     text += "payloads:\n  - {name: camera, camera: true}\npolicies:\n"
@@ -60,6 +62,29 @@ def run(folder, name, text):
         return list(csv.DictReader(rows))
 
 
+def learn(bringup, missions, channel, runs, folder):
+    """A mission without policy in the building of each run, which leaves its map of the link in `folder`."""
+    keeps_files = folder / "faults.yaml"
+
+    def drive(one):
+        mission = next(file for name, file in missions if name == one["mission"])
+        command = ["tocsin", "sim", str(bringup), "--seed", one["seed"], "--channel", channel.replace("${mission}", one["mission"]),
+                   "--set", f"mission_control.mission_file={mission}", "--set", "navigator.link_detour=0",
+                   "--set", f"link_mapper.map_name={folder}/{one['seed']}"]
+        command += ["--faults", str(keeps_files)]
+        with tempfile.TemporaryDirectory() as scratch:
+            done = subprocess.run([*command, "--run-dir", f"{scratch}/run"], capture_output=True, text=True, check=False)
+        if done.returncode != 0:
+            sys.exit(f"foresight_experiment.py: {' '.join(command)}: {done.stderr[-400:]}")
+
+    folder.mkdir(parents=True, exist_ok=True)
+    # Files are kept in simulations with faults: here one without effect.
+    keeps_files.write_text("faults: [{kind: loss, at_s: 1, for_s: 0.001, amount: 0}]\n", encoding="utf-8")
+    missing = [one for one in runs if not (folder / f"{one['seed']}.signal.csv").exists()]
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        list(pool.map(drive, missing))
+
+
 def copy_maps(learned, maps, runs):
     """Each learned map under its seed, and as that of another building: of the next seed of the mission."""
     for mission in {one["mission"] for one in runs}:
@@ -70,8 +95,7 @@ def copy_maps(learned, maps, runs):
                     continue
                 source = seed if kind == "known" else seeds[(place + 1) % len(seeds)]
                 (maps / name).mkdir(parents=True, exist_ok=True)
-                if not (maps / name / f"{seed}.signal.csv").exists():  # the runs go on with it
-                    shutil.copy(learned / "learn" / f"{source}.signal.csv", maps / name / f"{seed}.signal.csv")
+                shutil.copy(learned / f"{source}.signal.csv", maps / name / f"{seed}.signal.csv")
 
 
 def interval(values):
@@ -104,15 +128,14 @@ def compare(folder, seeds):
     hall = ("survey.yaml", [("c", missions["c"])], str(folder / "hall"))
     runs = []
     for place, (bringup, files, channel) in (("rooms", rooms), ("hall", hall)):
-        learned = folder / f"maps_{place}"
-        (learned / "learn").mkdir(parents=True, exist_ok=True)
-        learn = run(folder, f"learn_{place}",
-                    experiment_text(bringup, files, channel + ".yaml", [("learn", "none", "none")], learned, seeds))
+        maps = folder / f"maps_{place}"
+        plan = run(folder, f"seeds_{place}",
+                   experiment_text(bringup, files, channel + ".yaml", [("seeds", "none", "none")], maps, seeds, 10))
+        learn(bringup, files, channel + ".yaml", plan, maps / "learned")
+        copy_maps(maps / "learned", maps, plan)
         for radio in RADIOS:
-            maps = folder / f"maps_{place}{radio}_used"
-            copy_maps(learned, maps, learn)
             text = experiment_text(bringup, files, f"{channel}{radio}.yaml", ROWS, maps, seeds)
-            runs += [{**one, "radio": radio} for one in run(folder, place + radio, text)]
+            runs += [{**one, "radio": radio} for one in run(folder, f"runs_{place}{radio}", text)]
     print_table(runs)
 
 
