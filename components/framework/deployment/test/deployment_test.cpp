@@ -68,7 +68,7 @@ TEST_F(DeploymentTest, RejectsUnknownKeysEverywhereWithTheirLine) {
       [this](const auto& text) { return error_of(text); },
       {{"domain: 40", "domian: 40",
         "deployment.domian: unknown key; allowed: [qos, traffic, namespace, user, "
-        "stop_when_exits, restart, radio, security, vehicles, hosts, domain, parameters, "
+        "stop_when_exits, restart, radio, security, vehicles, relay, hosts, domain, parameters, "
         "variables]"},
        {"domain: 40", "domian: 40", "m.yaml:3)"},
        {"role: uxv", "role: uxv\n    rool: 1",
