@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { once } from "node:events";
 import net from "node:net";
-import { after, before, describe, it } from "node:test";
+import { after, afterEach, before, describe, it } from "node:test";
 
 import { Operator, eventually, wait } from "./operator.mjs";
 import { startStandIn } from "./stand_in_server.mjs";
@@ -360,6 +360,45 @@ async function freePort() {
   await once(server, "close");
   return port;
 }
+
+describe("The page of a supervisor and of an observer", { concurrency: false }, () => {
+  let server;
+  let person;
+  const open = async (role) => {
+    const map = { image: options.map, resolution: 0.05, x: -19, y: -8 };
+    server = await startStandIn({ page: options.page, bag: options.bag, from: 36, port: await freePort(), map, about: { role } });
+    person = await Operator.open(`http://127.0.0.1:${server.port}/?name=anna`, options);
+    await person.reads(".connection", `connected, ${role}`);
+    server.sayDriver("ben");
+    await person.reads(".authority", "ben drives");
+  };
+  afterEach(async () => {
+    await person?.close();
+    server?.close();
+  });
+  const requests = () => server.state.commands.filter(({ topic }) => topic === "/teleop/request");
+
+  it("takes control over at once, under the name of its link", async () => {
+    await open("supervisor");
+    await person.picture("supervisor");
+    await person.press("Take over");
+    await eventually("a request", () => requests().at(-1)?.message.verb === "take");
+    assert.equal(requests().at(-1).message.name, "anna");
+    server.sayDriver("anna");
+    await person.reads(".drive button", "Let go");
+  });
+
+  it("lets an observer press the stop, and nothing else", async () => {
+    await open("observer");
+    await person.picture("observer");
+    const enabled = await person.page.$$eval(".drive .buttons button, .mission .buttons button", (all) => all.filter((one) => !one.disabled).length);
+    assert.equal(enabled, 0);
+    await person.press("STOP");
+    await eventually("a stop", () => server.state.commands.some(({ topic, message }) => topic === "/emergency_stop/request" && message.data));
+    await person.until("no release", () => document.querySelector(".stop.stands") !== null && document.querySelector(".release") === null);
+    assert.deepEqual(requests(), []);
+  });
+});
 
 describe("Fleet page in Chromium", { concurrency: false }, () => {
   let servers;
