@@ -31,7 +31,7 @@ struct WebSettings {
 /// A client that has connected.
 struct WebPeer {
   std::string address;
-  UserRole role = UserRole::operator_;
+  UserRole role = UserRole::driver;
 };
 
 struct WebEvents {

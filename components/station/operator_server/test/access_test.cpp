@@ -98,7 +98,7 @@ TEST(AccessTest, ARoleIsThatOfTheTokenOrOfAllWhereThereIsNone) {
   RequestFacts request = socket_request();
   request.host = "station.example";
   request.target = std::string("/?token=") + secret;
-  EXPECT_EQ(std::get<OpenSocket>(judge(rules, request)).role, UserRole::operator_);
+  EXPECT_EQ(std::get<OpenSocket>(judge(rules, request)).role, UserRole::driver);
   request.target = "/?token=supervisor-0123456789";
   EXPECT_EQ(std::get<OpenSocket>(judge(rules, request)).role, UserRole::supervisor);
   rules = open_rules();

@@ -101,12 +101,12 @@ TEST_F(TopicPortsTest, AnObserverReleasesNoStopAndOnlyASupervisorTakesControl) {
   EXPECT_EQ(write_as(UserRole::observer, stop, R"({"data": true})"), "");
   EXPECT_EQ(write_as(UserRole::observer, stop, R"({"data": false})"),
             stop + ": an observer may press the emergency stop, and not release it");
-  EXPECT_EQ(write_as(UserRole::operator_, stop, R"({"data": false})"), "");
+  EXPECT_EQ(write_as(UserRole::driver, stop, R"({"data": false})"), "");
 
   const std::string request = "/teleop/request";
   EXPECT_EQ(sut_.open(channel(request, "tocsin_msgs/msg/DriverRequest")), "");
-  EXPECT_EQ(write_as(UserRole::operator_, request, R"({"name": "ben", "verb": "ask"})"), "");
-  EXPECT_EQ(write_as(UserRole::operator_, request, R"({"name": "ben", "verb": "take"})"),
+  EXPECT_EQ(write_as(UserRole::driver, request, R"({"name": "ben", "verb": "ask"})"), "");
+  EXPECT_EQ(write_as(UserRole::driver, request, R"({"name": "ben", "verb": "take"})"),
             request + ": only a supervisor takes control; ask for it");
   EXPECT_EQ(write_as(UserRole::supervisor, request, R"({"name": "ben", "verb": "take"})"), "");
 }

@@ -11,7 +11,7 @@ namespace {
 
 std::string fault_of(const std::string& text) {
   try {
-    (void)parse_tokens("tokens", text, UserRole::operator_);
+    (void)parse_tokens("tokens", text, UserRole::driver);
   } catch (const ConfigError& error) {
     return error.what();
   }
@@ -24,13 +24,13 @@ TEST(UserRoleTest, AFileHasATokenALineWithItsRole) {
                                 "supervisor 0123456789abcdef\n\n"
                                 "  observer\tfedcba9876543210\r\n"
                                 "0123456789fedcba\n",
-                                UserRole::operator_);
+                                UserRole::driver);
   ASSERT_EQ(sut.size(), 3U);
   EXPECT_EQ(sut[0].role, UserRole::supervisor);
   EXPECT_EQ(sut[0].token, "0123456789abcdef");
   EXPECT_EQ(sut[1].role, UserRole::observer);
   EXPECT_EQ(sut[1].token, "fedcba9876543210");
-  EXPECT_EQ(sut[2].role, UserRole::operator_);
+  EXPECT_EQ(sut[2].role, UserRole::driver);
 }
 
 TEST(UserRoleTest, WhatIsNoTokenIsNamedWithItsLine) {

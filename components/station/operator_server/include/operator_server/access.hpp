@@ -18,7 +18,7 @@ struct AccessRules {
   std::vector<AccessToken> tokens = {};   ///< empty: none is asked for
   bool encrypted = false;                 ///< TLS
   std::vector<std::string> origins = {};  ///< of other pages that may connect; "*": any
-  UserRole role = UserRole::operator_;    ///< of everybody, when there are no tokens
+  UserRole role = UserRole::driver;       ///< of everybody, when there are no tokens
 };
 
 /// Whether an address is heard by this computer only.
@@ -41,7 +41,7 @@ struct RequestFacts {
 
 struct OpenSocket {
   std::string protocol;  ///< the subprotocol, which the answer repeats
-  UserRole role = UserRole::operator_;
+  UserRole role = UserRole::driver;
 };
 struct ServeFile {
   std::string path;  ///< below the folder of the page, relative: `index.html`

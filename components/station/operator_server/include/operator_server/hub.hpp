@@ -35,7 +35,7 @@ struct WriteMessage {
   std::string topic;
   std::string encoding;
   std::string payload;
-  UserRole role = UserRole::operator_;  ///< of the client
+  UserRole role = UserRole::driver;  ///< of the client
 };
 struct AskParameters {
   ClientId client;
@@ -62,7 +62,7 @@ class Hub {
 
   /// `wall_ns` [ns since the Unix epoch] is told at once: clients begin their time axis with it.
   /// The role is told, too.
-  void add_client(ClientId client, std::uint64_t wall_ns, UserRole role = UserRole::operator_);
+  void add_client(ClientId client, std::uint64_t wall_ns, UserRole role = UserRole::driver);
   void remove_client(ClientId client);
   [[nodiscard]] std::size_t clients() const { return clients_.size(); }
 

@@ -37,7 +37,7 @@ class OperatorServerComponent final : public Component {
     int port = 8765;
     std::string page;
     std::string token_file;
-    foxglove::UserRole role = foxglove::UserRole::operator_;
+    foxglove::UserRole role = foxglove::UserRole::driver;
     std::string certificate;
     std::string key;
     std::vector<std::string> origins;

@@ -11,7 +11,7 @@ namespace tocsin::foxglove {
 /// What a client may do. Everybody may press the emergency stop.
 enum class UserRole : std::uint8_t {
   observer,    ///< reads
-  operator_,   ///< drives, sends missions, releases the emergency stop
+  driver,      ///< an operator: drives, sends missions, releases the emergency stop
   supervisor,  ///< the same, and takes control of who drives
 };
 [[nodiscard]] inline constexpr std::array<const char*, 3> words_of(UserRole) {
@@ -21,7 +21,7 @@ enum class UserRole : std::uint8_t {
 /// Who knows the token has the role.
 struct AccessToken {
   std::string token;
-  UserRole role = UserRole::operator_;
+  UserRole role = UserRole::driver;
 };
 
 /// The tokens of a file: on each line a role and a token, or a token alone for role `usual`. Empty
