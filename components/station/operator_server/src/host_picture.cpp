@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bag/topic.hpp"
+#include "foundation/ends_with.hpp"
 #include "foundation/ros_names.hpp"
 #include "idl_support/topic_registry.hpp"
 #include "idl_support/type_definition.hpp"
@@ -50,10 +51,7 @@ std::vector<SeenTopic> topics_of(const std::vector<GraphEnd>& ends,
 /// `std_srvs::srv::dds_::Trigger_Response_` of `..._Request_`.
 const TypeInfo* response_type(const std::string& request) {
   const std::string end = "_Request_";
-  if (request.size() < end.size() ||
-      request.compare(request.size() - end.size(), end.size(), end) != 0) {
-    return nullptr;
-  }
+  if (!ends_with(request, end)) return nullptr;
   return find_type(request.substr(0, request.size() - end.size()) + "_Response_");
 }
 

@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "foundation/ends_with.hpp"
 #include "foundation/printable.hpp"
 #include "hub_client.hpp"
 #include "operator_server/hub.hpp"
@@ -23,9 +24,7 @@ bool is_customary(const std::string& topic) {
 
 /// What an observer may publish.
 bool is_emergency_stop(const std::string& topic) {
-  const std::string end = std::string("/") + topic::EmergencyStopRequest::info.name;
-  return topic.size() >= end.size() &&
-         topic.compare(topic.size() - end.size(), end.size(), end) == 0;
+  return ends_with(topic, std::string("/") + topic::EmergencyStopRequest::info.name);
 }
 
 bool is_known_encoding(const std::string& encoding) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "operator_server/mission_guard.hpp"
 
+#include "foundation/ends_with.hpp"
 #include "tocsin_idl/actions.hpp"
 
 namespace tocsin::foxglove {
@@ -9,8 +10,7 @@ namespace {
 bool begins_mission(const std::string& service) {
   static const std::string end =
       std::string("/") + action::FollowWaypoints::name + "/_action/send_goal";
-  return service.size() >= end.size() &&
-         service.compare(service.size() - end.size(), end.size(), end) == 0;
+  return ends_with(service, end);
 }
 
 }  // namespace

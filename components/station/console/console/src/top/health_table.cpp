@@ -10,6 +10,7 @@
 #include <string_view>
 #include <tuple>
 
+#include "foundation/ends_with.hpp"
 #include "foundation/printable.hpp"
 
 namespace tocsin::top {
@@ -24,10 +25,6 @@ constexpr std::uint8_t stale = DiagnosticStatus_Constants::STALE;
 const char* level_text(std::uint8_t level) {
   constexpr std::array names{"OK", "WARN", "ERROR", "STALE"};
   return names[std::min<std::size_t>(level, names.size() - 1)];
-}
-
-bool ends_with(const std::string& text, std::string_view end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
 std::string value_of(const DiagnosticStatus& status, const std::string& key) {
