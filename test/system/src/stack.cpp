@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -206,6 +207,16 @@ int Stack::exit_code(std::chrono::seconds limit) {
 bool is_driving(const Stack& stack) {
   const auto states = column(stack.recorded("uxv", "navigation_status"), "state");
   return std::find(states.begin(), states.end(), "driving") != states.end();
+}
+
+bool moves_in(const std::string& locations) {
+  const auto x = column(locations, "pose.pose.position.x");
+  const auto y = column(locations, "pose.pose.position.y");
+  if (x.size() < 2 || y.size() != x.size()) return false;
+  const auto step = [](const std::vector<std::string>& values) {
+    return std::stod(values.back()) - std::stod(values[values.size() - 2]);
+  };
+  return std::hypot(step(x), step(y)) > 0.02;
 }
 
 std::vector<std::string> column(const std::string& csv, const std::string& name) {

@@ -88,6 +88,9 @@ class Stack {
 /// Whether the vehicle has driven, by what it has recorded.
 [[nodiscard]] bool is_driving(const Stack& stack);
 
+/// Whether the last two locations of a CSV text, 0.2 s apart, are two places.
+[[nodiscard]] bool moves_in(const std::string& locations);
+
 /// Rows of a CSV text as cells of the named column; quoted cells may hold commas.
 [[nodiscard]] std::vector<std::string> column(const std::string& csv, const std::string& name);
 

@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <fstream>
 #include <optional>
 #include <set>
@@ -55,14 +54,7 @@ class FleetTest : public ::testing::Test {
   }
   /// By its last two locations, 0.2 s apart.
   [[nodiscard]] bool drives(const std::string& vehicle) const {
-    const std::string all = stack_->recorded(vehicle + "/uxv", "location");
-    const auto x = column(all, "pose.pose.position.x");
-    const auto y = column(all, "pose.pose.position.y");
-    if (x.size() < 2 || y.size() != x.size()) return false;
-    const auto step = [](const std::vector<std::string>& values) {
-      return std::stod(values.back()) - std::stod(values[values.size() - 2]);
-    };
-    return std::hypot(step(x), step(y)) > 0.02;
+    return moves_in(stack_->recorded(vehicle + "/uxv", "location"));
   }
   [[nodiscard]] std::set<std::string> places(const std::string& side) const {
     const auto all = column(stack_->recorded(side, "location"), "pose.pose.position.x");

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include <cmath>
 #include <optional>
 #include <set>
 #include <string>
@@ -59,16 +58,7 @@ class SecondStationTest : public ::testing::Test {
     return estop("status", station).output.find("stands by emergency stop of") != std::string::npos;
   }
   /// By the last two locations that the vehicle has recorded, 0.2 s apart.
-  [[nodiscard]] bool drives() const {
-    const std::string all = vehicle_->recorded("uxv1/uxv", "location");
-    const auto x = column(all, "pose.pose.position.x");
-    const auto y = column(all, "pose.pose.position.y");
-    if (x.size() < 2 || y.size() != x.size()) return false;
-    const auto step = [](const std::vector<std::string>& values) {
-      return std::stod(values.back()) - std::stod(values[values.size() - 2]);
-    };
-    return std::hypot(step(x), step(y)) > 0.02;
-  }
+  [[nodiscard]] bool drives() const { return moves_in(vehicle_->recorded("uxv1/uxv", "location")); }
   [[nodiscard]] bool will_drive() const {
     return Stack::eventually(seconds(60), [&] { return drives(); });
   }
