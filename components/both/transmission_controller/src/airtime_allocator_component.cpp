@@ -7,20 +7,12 @@
 #include "foundation/error.hpp"
 #include "foundation/names.hpp"
 #include "runtime/component_entry.hpp"
+#include "runtime/named_end.hpp"
 
 namespace tocsin {
 namespace {
 
 constexpr Duration period = std::chrono::seconds(1);
-
-/// The end of a topic of a vehicle, by its name on the site.
-template <class Topic>
-Endpoint end_of(const std::string& name, const Component& owner) {
-  TopicInfo info = Topic::info;
-  info.name = name.c_str();
-  info.scope = Scope::host;  // the vehicle's own router carries it
-  return {info, &type_info<typename Topic::Message>(), Writers::optional, "", owner.node()};
-}
 
 template <class Topic>
 std::shared_ptr<const typename Topic::Message> take(InputPort& port) {
@@ -45,10 +37,11 @@ AirtimeAllocatorComponent::Vehicle::Vehicle(Component& owner, const std::string&
       quality_topic(name + "/" + topic::NetworkQuality::info.name),
       driver_topic(name + "/" + topic::DriverState::info.name),
       share_topic(name + "/" + topic::AirtimeShare::info.name),
-      use(owner, end_of<topic::AirtimeUse>(use_topic, owner), WakeMode::time_triggered),
-      quality(owner, end_of<topic::NetworkQuality>(quality_topic, owner), WakeMode::time_triggered),
-      driver(owner, end_of<topic::DriverState>(driver_topic, owner), WakeMode::time_triggered),
-      share(owner.bus().advertise(end_of<topic::AirtimeShare>(share_topic, owner))) {}
+      use(owner, named_end<topic::AirtimeUse>(use_topic, owner), WakeMode::time_triggered),
+      quality(owner, named_end<topic::NetworkQuality>(quality_topic, owner),
+              WakeMode::time_triggered),
+      driver(owner, named_end<topic::DriverState>(driver_topic, owner), WakeMode::time_triggered),
+      share(owner.bus().advertise(named_end<topic::AirtimeShare>(share_topic, owner))) {}
 
 AirtimeAllocatorComponent::AirtimeAllocatorComponent(Context& context, const Params& params)
     : Component(context), allocator_(params.allocator, params.vehicles.size()) {

@@ -134,12 +134,11 @@ Variables BringupReader::variables_of(const VehicleEntry& vehicle, const YAML::N
                                      overrides_.seed + before * seed_step, overrides_.share);
   variables["vehicle"] = vehicle.name;
   const YAML::Node entry = root["vehicles"][vehicle.name];
-  if (!entry.IsMap()) {
-    variables.insert(variables_.begin(), variables_.end());
-    return variables;
+  if (entry.IsMap()) {
+    const Section section(entry, "vehicles." + vehicle.name, sources());
+    expand(entry, sources(), variables);
+    variables.merge(read_variables(section, sources()));
   }
-  expand(entry, sources(), variables);
-  variables.merge(read_variables(Section(entry, "vehicles." + vehicle.name, sources()), sources()));
   variables.insert(variables_.begin(), variables_.end());
   return variables;
 }

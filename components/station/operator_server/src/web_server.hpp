@@ -27,13 +27,13 @@ struct WebSettings {
   double request_s = 10;  ///< a connection that asks nothing for so long is closed
 };
 
-/// What happens to connections. Called by the server's own thread; must not block.
 /// A client that has connected.
 struct WebPeer {
   std::string address;
   UserRole role = UserRole::driver;
 };
 
+/// What happens to connections. Called by the server's own thread; must not block.
 struct WebEvents {
   std::function<void(ClientId, const WebPeer& peer)> opened;
   /// The next one comes after WebServer::read_on.

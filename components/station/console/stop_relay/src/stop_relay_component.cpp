@@ -8,17 +8,10 @@
 #include "foundation/error.hpp"
 #include "foundation/names.hpp"
 #include "runtime/component_entry.hpp"
+#include "runtime/named_end.hpp"
 
 namespace tocsin {
 namespace {
-
-/// The end of a topic of the vehicle, by its whole name on the site.
-template <class Topic>
-Endpoint end_of(const std::string& name, const Component& owner) {
-  TopicInfo info = Topic::info;
-  info.name = name.c_str();
-  return {info, &type_info<typename Topic::Message>(), Writers::optional, "", owner.node()};
-}
 
 std::string whole_name(const std::string& vehicle, const char* topic) {
   if (!is_name(vehicle)) throw ConfigError("vehicle: '" + vehicle + "' must be " + name_rule);
@@ -32,9 +25,9 @@ StopRelayComponent::StopRelayComponent(Context& context, const Params& params)
       stop_topic_(whole_name(params.vehicle, topic::EmergencyStop::info.name)),
       request_topic_(whole_name(params.vehicle, topic::EmergencyStopRequest::info.name)),
       state_topic_(whole_name(params.vehicle, topic::EmergencyStopState::info.name)),
-      request_(*this, end_of<topic::EmergencyStopRequest>(request_topic_, *this)),
-      state_(*this, end_of<topic::EmergencyStopState>(state_topic_, *this)),
-      stop_(bus().advertise(end_of<topic::EmergencyStop>(stop_topic_, *this))) {}
+      request_(*this, named_end<topic::EmergencyStopRequest>(request_topic_, *this)),
+      state_(*this, named_end<topic::EmergencyStopState>(state_topic_, *this)),
+      stop_(bus().advertise(named_end<topic::EmergencyStop>(stop_topic_, *this))) {}
 
 void StopRelayComponent::tick(Time now) {
   take_other_station(now);
