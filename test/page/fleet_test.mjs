@@ -35,8 +35,9 @@ describe("A fleet led from one page", { concurrency: false }, () => {
   });
 
   it("shows each vehicle's own mission", async () => {
-    for (const name of only) await rowReads(name, "running 1/");
-    assert.notEqual(/running 1\/(\d+)/.exec(await row("uxv1"))[1], /running 1\/(\d+)/.exec(await row("uxv3"))[1], "their missions differ");
+    const waypoints = async (name) => /running \d+\/(\d+)/.exec(await row(name))?.[1];
+    for (const name of only) await eventually(`a mission that ${name} runs`, () => waypoints(name));
+    assert.notEqual(await waypoints("uxv1"), await waypoints("uxv3"), "their missions differ");
   });
 
   it("tells what each uses of its share of the air", async () => {

@@ -6,8 +6,8 @@
 
 #include "foundation/error.hpp"
 #include "foundation/names.hpp"
+#include "named_end/named_end.hpp"
 #include "runtime/component_entry.hpp"
-#include "runtime/named_end.hpp"
 
 namespace tocsin {
 namespace {

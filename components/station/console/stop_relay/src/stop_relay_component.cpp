@@ -7,8 +7,8 @@
 #include "foundation/enum_words.hpp"
 #include "foundation/error.hpp"
 #include "foundation/names.hpp"
+#include "named_end/named_end.hpp"
 #include "runtime/component_entry.hpp"
-#include "runtime/named_end.hpp"
 
 namespace tocsin {
 namespace {
