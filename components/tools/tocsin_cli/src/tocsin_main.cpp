@@ -20,12 +20,20 @@
 namespace tocsin::cli {
 namespace {
 
-/// What all of the repository's packages bring. `bringup/demo` builds some of them only.
-const std::array<std::string_view, 29> shipped{
-    "action",    "archive", "bag",        "check", "component", "decide",   "design", "dock",
-    "doctor",    "estop",   "experiment", "fit",   "interface", "keystore", "kobuki", "launch",
-    "lifecycle", "log",     "map",        "node",  "param",     "qos",      "report", "run",
-    "service",   "sim",     "teleop",     "top",   "topic"};
+/// What all of the repository's packages bring, and the Debian package that has it. `bringup/demo`
+/// builds some of them only.
+struct Shipped {
+  std::string_view package;
+  std::vector<std::string_view> verbs;
+};
+
+const std::array<Shipped, 3> shipped{
+    {{"tocsin",
+      {"action",   "bag",    "check",   "component", "dock", "doctor", "estop", "interface",
+       "keystore", "kobuki", "launch",  "lifecycle", "log",  "map",    "node",  "param",
+       "qos",      "run",    "service", "teleop",    "top",  "topic"}},
+     {"tocsin-archive", {"archive"}},
+     {"tocsin-sim", {"decide", "design", "experiment", "fit", "report", "sim"}}}};
 
 /// The first line that the verb's program prints with --help.
 std::string description(const std::string& verb, const Folders& folders) {
@@ -45,9 +53,10 @@ int print_help(const Folders& folders) {
 }
 
 [[noreturn]] void reject(const std::string& verb, const Folders& folders) {
-  if (std::find(shipped.begin(), shipped.end(), verb) != shipped.end()) {
-    throw EnvironmentError("'" + verb +
-                           "' is not here; bringup/build run builds it, package tocsin-sim has it");
+  for (const auto& [package, verbs] : shipped) {
+    if (std::find(verbs.begin(), verbs.end(), verb) == verbs.end()) continue;
+    throw EnvironmentError("'" + verb + "' is not here; bringup/build run builds it, package " +
+                           std::string(package) + " has it");
   }
   throw ConfigError("'" + verb + "' is not a verb" +
                     did_you_mean(find_verbs(folders), verb, "the verbs are"));

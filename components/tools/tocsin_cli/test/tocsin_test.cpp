@@ -56,6 +56,8 @@ TEST_F(TocsinTest, TellsWhatBuildsAShippedVerbThatIsNotBuilt) {
   EXPECT_EQ(run("sim mission.yaml"), 1);
   EXPECT_EQ(output(),
             "tocsin: 'sim' is not here; bringup/build run builds it, package tocsin-sim has it\n");
+  EXPECT_EQ(run("archive"), 1);
+  EXPECT_THAT(output(), HasSubstr("package tocsin-archive has it"));
 }
 
 TEST_F(TocsinTest, TellsTheVersionOfItsPackage) {

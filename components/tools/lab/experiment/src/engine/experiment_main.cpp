@@ -68,7 +68,8 @@ int write_report(const std::string& folder) {
   constexpr const char* python = "/usr/bin/python3";
   const fs::path report = own_program().parent_path().parent_path() / "share/experiment/report";
   execl(python, python, "-B", report.c_str(), folder.c_str(), nullptr);
-  throw EnvironmentError(std::string(python) + ": " + std::strerror(errno));
+  throw EnvironmentError(std::string(python) + ": " + std::strerror(errno) +
+                         " (packages python3-jinja2, python3-matplotlib and python3-yaml)");
 }
 
 int print_trace(const std::string& folder) {
