@@ -82,9 +82,10 @@ TEST_F(BusHealthTest, IncompatibleQosIsCountedAndNamedOnBothSides) {
   Samples samples;
   const auto writer = a->advertise(text);
   const auto reader = b->subscribe(text, samples);
+  // Fast DDS may find an end twice: by its announcement, and when it makes its own.
   ASSERT_TRUE(eventually([&] {
-    return health_of(*a, "text", true).incompatible_qos == 1 &&
-           health_of(*b, "text", false).incompatible_qos == 1;
+    return health_of(*a, "text", true).incompatible_qos >= 1 &&
+           health_of(*b, "text", false).incompatible_qos >= 1;
   }));
   EXPECT_EQ(health_of(*a, "text", true).incompatible_policy, "reliability");
   EXPECT_EQ(health_of(*b, "text", false).incompatible_policy, "reliability");
