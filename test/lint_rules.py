@@ -9,7 +9,7 @@ import sys
 
 # How package.xml calls what find_package or pkg-config finds; None is part of every system.
 NAMES = {"JPEG": "libjpeg-dev", "libevdev": "libevdev-dev", "liblz4": "liblz4-dev", "libnl-genl-3.0": "libnl-genl-3-dev",
-         "libcurl": "libcurl4-openssl-dev", "libmosquitto": "libmosquitto-dev", "libpq": "libpq-dev", "pcre2": "libpcre2-dev", "sqlite3": "libsqlite3-dev", "libzstd": "libzstd-dev", "nlopt_cxx": "libnlopt-cxx-dev", "OpenSSL": "libssl-dev", "tinyxml2": "libtinyxml2-dev", "PkgConfig": None, "Python3": None, "Threads": None, "GTest": None,
+         "libcurl": "libcurl4-openssl-dev", "libmosquitto": "libmosquitto-dev", "libpq": "libpq-dev", "libpcre2-8": "libpcre2-dev", "sqlite3": "libsqlite3-dev", "libzstd": "libzstd-dev", "nlopt_cxx": "libnlopt-cxx-dev", "OpenSSL": "libssl-dev", "tinyxml2": "libtinyxml2-dev", "PkgConfig": None, "Python3": None, "Threads": None, "GTest": None,
          "zlib": "zlib1g-dev"}
 # Packages that a LINK list names without `::`.
 PLAIN = {"yaml-cpp", "fastdds"}

@@ -2,6 +2,7 @@
 #include "fast_dds/fast_dds_participant.hpp"
 
 #include <chrono>
+#include <cstdlib>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
@@ -49,6 +50,19 @@ dds::Publisher* publisher_of(dds::DataWriter* writer) {
 dds::Subscriber* subscriber_of(dds::DataReader* reader) {
   return const_cast<dds::Subscriber*>(reader->get_subscriber());
 }
+
+/// Fast DDS takes settings from the environment, too, where people keep those of ROS 2: by
+/// $ROS_DISCOVERY_SERVER each participant here would look for that server alone, and find nobody.
+/// When this library is loaded, before there are threads.
+[[maybe_unused]] const bool environment_is_ignored = []() noexcept {
+  for (const char* variable :
+       {"ROS_DISCOVERY_SERVER", "ROS_SUPER_CLIENT", "FASTDDS_ENVIRONMENT_FILE",
+        "FASTDDS_BUILTIN_TRANSPORTS", "FASTDDS_STATISTICS", "FASTDDS_DEFAULT_PROFILES_FILE",
+        "FASTRTPS_DEFAULT_PROFILES_FILE"}) {
+    ::unsetenv(variable);
+  }
+  return ::setenv("SKIP_DEFAULT_XML_FILE", "1", 1) == 0;  // one of that name in this folder
+}();
 
 /// Packets, not calls, between the participants of this process: what mends discovery after a lease
 /// (AckNackCounts) and what bounds it (PacketFilter) stand before the sockets.

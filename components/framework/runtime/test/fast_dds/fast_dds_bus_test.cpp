@@ -5,6 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
+
 #include "fast_dds/bus_fixture.hpp"
 #include "foundation/error.hpp"
 #include "runner/tick_time.hpp"
@@ -71,6 +74,14 @@ TEST_F(FastDdsBusTest, ATopicReachesAnotherProcessOfItsHostAndNoOtherHost) {
   EXPECT_GT(sample.sequence, 0U);
   EXPECT_GT(sample.bytes, 300U);
   EXPECT_LE(sample.sent_wall_ns, sample.received_wall_ns);
+}
+
+TEST_F(FastDdsBusTest, WhatTheEnvironmentSaysToFastDdsOfRos2HasNoEffect) {
+  const auto self = std::filesystem::read_symlink("/proc/self/exe").string();
+  const std::string environment =
+      "ROS_DISCOVERY_SERVER=127.0.0.1:11811 FASTRTPS_DEFAULT_PROFILES_FILE=/nowhere.xml ";
+  const std::string test = "FastDdsBusTest.ATopicReachesAnotherProcessOfItsHostAndNoOtherHost";
+  EXPECT_EQ(std::system((environment + self + " --gtest_filter=" + test).c_str()), 0);
 }
 
 TEST_F(FastDdsBusTest, ReadersInTheProcessGetTheVeryObjectOnce) {
