@@ -337,7 +337,7 @@ function(tocsin_add_test name program label timeout)
   if(NOT timeout)
     set(timeout 120)
   endif()
-  if(TOCSIN_SANITIZE)
+  if(TOCSIN_SANITIZE OR CMAKE_CROSSCOMPILING)  # emulated
     math(EXPR timeout "5 * ${timeout}")
   endif()
   add_test(NAME ${name} COMMAND ${program} --gtest_shuffle

@@ -59,7 +59,7 @@ TEST(OccupancyGrid, GrowsToAllSidesAndKeepsWhatItKnew) {
     sut.insert({{0, 0}, {{20, 0.05}}, {}, {}}, {0.02, 0.02, heading_rad});
   }
   EXPECT_EQ(sut.at({1.05, 0.05}), Cell::occupied);
-  EXPECT_EQ(sut.at({-19.95, 0.0}), Cell::occupied);
+  EXPECT_EQ(sut.at({-19.95, -0.03}), Cell::occupied);
   EXPECT_EQ(sut.at({0.05, -15}), Cell::free);
 }
 
