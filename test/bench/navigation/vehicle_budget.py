@@ -30,7 +30,7 @@ TICK_S = 1 / os.sysconf("SC_CLK_TCK")
 
 def simulate(bringup, seconds, folder, tool=()):
     """CPU seconds of a simulation, and what it said."""
-    command = [*tool, "tocsin-sim", bringup, "--seed", "1", "--duration", str(seconds), "--run-dir", f"{folder}/run"]
+    command = [*tool, "tocsin-sim", bringup, "--seed", "1", "--duration", str(seconds), "--run-dir", tempfile.mkdtemp(dir=folder)]
     before = os.times()
     done = subprocess.run(command, capture_output=True, text=True)
     after = os.times()
