@@ -11,6 +11,7 @@ usage: vehicle_budget.py [BRINGUP_FILE] [SECONDS]
 The estimate is the product of both, through what a core of a Cortex-A53 does at 1.2 GHz with 0.6
 instructions a cycle, an assumption. Needs root, valgrind, a sourced installation and a quiet computer.
 """
+import argparse
 import os
 import pathlib
 import re
@@ -21,9 +22,8 @@ import sys
 import tempfile
 import time
 
-START_S = 15  # until it drives, and files are loaded
-A53_HZ = 1.2e9
-A53_PER_CYCLE = 0.6
+from instruction_profile import A53_HZ, A53_PER_CYCLE, START_S
+
 TIMES = 5  # each simulation is timed so often
 TICK_S = 1 / os.sysconf("SC_CLK_TCK")
 
@@ -60,7 +60,7 @@ def usage(folder):
             fields = (process / "stat").read_text().rpartition(")")[2].split()
             shared = re.search(r"^Pss: +(\d+) kB", (process / "smaps_rollup").read_text(), re.M)
             found[words[3].decode()] = ((int(fields[11]) + int(fields[12])) * TICK_S, int(shared[1]) * 1000)
-        except FileNotFoundError:
+        except (FileNotFoundError, ProcessLookupError):  # it has ended
             continue
     return found
 
@@ -83,11 +83,13 @@ def measured(bringup, seconds, folder):
 
 
 def main():
-    bringup = sys.argv[1] if len(sys.argv) > 1 else "obstacles.yaml"
-    seconds = int(sys.argv[2]) if len(sys.argv) > 2 else 40
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("bringup", nargs="?", default="obstacles.yaml")
+    parser.add_argument("seconds", nargs="?", type=int, default=40)
+    said = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
-        rate = instructions_a_second(bringup, folder)
-        rows = measured(bringup, seconds, folder)
+        rate = instructions_a_second(said.bringup, folder)
+        rows = measured(said.bringup, said.seconds, folder)
     print(f"{rate / 1e9:.2f} thousand million instructions in a second of CPU here\n")
     print("| process of the vehicle | of a core here, % | million instructions a second | of a Cortex-A53 core, % | memory, MB |")
     print("| --- | --- | --- | --- | --- |")
