@@ -6,10 +6,12 @@
 #include <fstream>
 #include <map>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 
 #include "idl_support/encode.hpp"
+#include "idl_support/type_registry.hpp"
 #include "tocsin_idl/topics.hpp"
 
 namespace tocsin {
@@ -67,6 +69,36 @@ std::string text_of(const std::string& path) {
 
 /// A rule for a topic that was renamed would leave the new name without one.
 /// On demand topics of the host cross, too.
+/// "package::msg::dds_::Name_" of each structure that our files define.
+std::set<std::string> defined_types() {
+  std::set<std::string> names;
+  for (const char* file : {"tocsin_msgs.idl", "link_calls.idl"}) {
+    std::ifstream lines(std::string(TOCSIN_REPOSITORY "/idl/tocsin_idl/idl/") + file);
+    std::string space = "msg";
+    std::smatch found;
+    for (std::string line; std::getline(lines, line);) {
+      if (std::regex_search(line, found, std::regex(R"(module (msg|srv) \{)"))) space = found[1];
+      if (!std::regex_search(line, found, std::regex(R"(struct (\w+) \{)"))) continue;
+      names.insert("tocsin_msgs::" + space + "::dds_::" + found[1].str() + "_");
+    }
+  }
+  return names;
+}
+
+/// A vehicle and a station of one series of releases understand each other: what crosses the link
+/// does not change in it. A new type gets a line; a line changes with the minor version only.
+TEST(ReleasedTypes, AreAsReleased) {
+  std::set<std::string> released;
+  std::ifstream lines(TOCSIN_REPOSITORY "/idl/tocsin_idl/released_types.txt");
+  for (std::string name, hash; lines >> name >> hash;) {
+    const TypeInfo* const type = find_type(name);
+    ASSERT_NE(type, nullptr) << name;
+    EXPECT_EQ(type->ros_hash, hash) << name << " has changed: a change needs a type of its own";
+    released.insert(name);
+  }
+  EXPECT_EQ(released, defined_types());
+}
+
 TEST(TrafficFiles, NameTopicsThatCrossTheLinkAndNoOthers) {
   const auto link = scopes_of(topic::AllLinkTopics{});
   const auto host = scopes_of(topic::AllHostTopics{});

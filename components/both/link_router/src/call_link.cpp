@@ -227,6 +227,8 @@ void CallLink::give_up(Time now) {
 }
 
 void CallLink::follow_directory(Instant at) {
+  const bool has_changed = directory_.has_changed(at.now);
+  if (!has_changed && !makes_endpoints_ && is_announced_) return;
   const bool shows = follow_set(
       shown_, directory_.shown(at.now), [this](const auto& name) { host_->end_serving(name); },
       [this](const HostService& service) { host_->serve(service); });
@@ -238,7 +240,8 @@ void CallLink::follow_directory(Instant at) {
   if (offered != known_) host_->know(offered);
   known_ = std::move(offered);
   const router::ServiceLists lists = directory_.announced(at.now);
-  if (lists == announced_ || parts_.link.self() == 0) return;
+  is_announced_ = lists == announced_ || parts_.link.self() != 0;
+  if (lists == announced_ || !is_announced_) return;
   announced_ = lists;
   offer(services_,
         parts_.link.pack(type_info<ServicesMessage>(),

@@ -77,6 +77,7 @@ class CallLink final : public LinkService {
   std::map<ClassKey, CallFlows> by_class_;
   FlowId services_ = 0;
   router::ServiceLists announced_;
+  bool is_announced_ = false;
   std::set<std::string> known_;  ///< of the peers' services, by this host
   std::set<router::ServiceName> shown_;
   std::set<router::ServiceName> asked_;

@@ -2,6 +2,7 @@
 #include "link_router/service_directory.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace tocsin::router {
 namespace {
@@ -30,6 +31,7 @@ void add(std::set<ServiceName>& services, const ServiceName& one) {
 }  // namespace
 
 void ServiceDirectory::on_server(const ServiceName& service, bool there) {
+  changed_ = true;
   if (there) {
     servers_.insert(service);
   } else {
@@ -38,6 +40,7 @@ void ServiceDirectory::on_server(const ServiceName& service, bool there) {
 }
 
 void ServiceDirectory::on_client(const ServiceName& service, bool there, Time now) {
+  changed_ = true;
   if (there) {
     clients_.try_emplace(service, now);
   } else {
@@ -46,6 +49,7 @@ void ServiceDirectory::on_client(const ServiceName& service, bool there, Time no
 }
 
 std::set<std::string> ServiceDirectory::on_peer(PeerInstance peer, const ServiceLists& lists) {
+  changed_ = true;
   std::set<std::string> refused;
   ServiceLists& own = peers_[peer] = {};
   // What the file names goes before what a pattern takes.
@@ -61,6 +65,11 @@ std::set<std::string> ServiceDirectory::on_peer(PeerInstance peer, const Service
   take(lists.offered, rules_.called, own.offered);
   take(lists.wanted, rules_.served, own.wanted);
   return refused;
+}
+
+void ServiceDirectory::forget_peer(PeerInstance peer) {
+  changed_ = true;
+  peers_.erase(peer);
 }
 
 bool ServiceDirectory::is_served_here(const std::string& name) const {
@@ -126,6 +135,13 @@ std::set<ServiceName> ServiceDirectory::asked() const {
     }
   }
   return services;
+}
+
+bool ServiceDirectory::has_changed(Time now) {
+  const bool is_due = now >= changes_at_;
+  if (!std::exchange(changed_, false) && !is_due) return false;
+  changes_at_ = deadline(now);
+  return true;
 }
 
 Time ServiceDirectory::deadline(Time now) const {

@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -56,11 +55,9 @@ StopKeysFile::Content StopKeysFile::load() const {
 }
 
 bool StopKeysFile::save(const Content& content) {
-  if (!file_.keeps()) return true;
-  std::string text = text_of(content);
-  if (text == saved_) return true;
-  const bool had_failed = std::exchange(failed_, !file_.save(text));
-  if (!failed_) saved_ = std::move(text);
+  if (!file_.keeps() || saved_ == content) return true;
+  const bool had_failed = std::exchange(failed_, !file_.save(text_of(content)));
+  if (!failed_) saved_ = content;
   return !failed_ || had_failed;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,11 +17,19 @@ class StopKeysFile {
   struct Token {
     StopToken token{};
     bool flag = false;
+
+    [[nodiscard]] bool operator==(const Token& other) const {
+      return token == other.token && flag == other.flag;
+    }
   };
   struct Content {
     bool stands = false;  ///< false where another launch has left the file
     bool others = false;  ///< the same
     std::vector<Token> tokens;
+
+    [[nodiscard]] bool operator==(const Content& other) const {
+      return stands == other.stands && others == other.others && tokens == other.tokens;
+    }
   };
   static constexpr std::size_t most_tokens = 8;
 
@@ -33,7 +42,7 @@ class StopKeysFile {
 
  private:
   StateFile file_;
-  std::string saved_;
+  std::optional<Content> saved_;
   bool failed_ = false;
 };
 

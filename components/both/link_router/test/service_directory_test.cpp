@@ -119,5 +119,22 @@ TEST_F(ServiceDirectoryTest, ANodeOfWhichAPatternSpeaksIsKnownThereBeforeSomebod
   EXPECT_THAT(server.announced(t0).offered, IsEmpty());
 }
 
+TEST_F(ServiceDirectoryTest, HasChangedOnceAfterEachEventAndWhenAClientHasWaited) {
+  EXPECT_TRUE(client.has_changed(t0));
+  EXPECT_FALSE(client.has_changed(t0));
+  client.on_client(dock, true, t0);
+  EXPECT_TRUE(client.has_changed(t0));
+  EXPECT_FALSE(client.has_changed(t0 + patience - Duration(1)));
+  EXPECT_TRUE(client.has_changed(t0 + patience));
+  EXPECT_FALSE(client.has_changed(t0 + patience));
+  client.on_server(dock, true);
+  EXPECT_TRUE(client.has_changed(t0 + patience));
+  (void)client.on_peer(1, {{dock}, {}});
+  EXPECT_TRUE(client.has_changed(t0 + patience));
+  client.forget_peer(1);
+  EXPECT_TRUE(client.has_changed(t0 + patience));
+  EXPECT_FALSE(client.has_changed(t0 + 2 * patience));
+}
+
 }  // namespace
 }  // namespace tocsin::router

@@ -63,7 +63,7 @@ class ServiceDirectory {
   void on_client(const ServiceName& service, bool there, Time now);
   /// Returns what it does not take.
   std::set<std::string> on_peer(PeerInstance peer, const ServiceLists& lists);
-  void forget_peer(PeerInstance peer) { peers_.erase(peer); }
+  void forget_peer(PeerInstance peer);
 
   [[nodiscard]] ServiceLists announced(Time now) const;
   /// To serve on this host; at most one of each name.
@@ -72,6 +72,8 @@ class ServiceDirectory {
   [[nodiscard]] std::set<std::string> offered_there() const;
   /// To be a client of on this host; at most one of each name.
   [[nodiscard]] std::set<ServiceName> asked() const;
+  /// Whether one of these may be another than at the last call of this; true at first.
+  [[nodiscard]] bool has_changed(Time now);
   /// When one of these changes though nothing happens; `never` when none does.
   [[nodiscard]] Time deadline(Time now) const;
 
@@ -84,6 +86,8 @@ class ServiceDirectory {
   std::set<ServiceName> servers_;
   std::map<ServiceName, Time> clients_;  ///< since when
   std::map<PeerInstance, ServiceLists> peers_;
+  bool changed_ = true;
+  Time changes_at_ = never;
 };
 
 }  // namespace tocsin::router
