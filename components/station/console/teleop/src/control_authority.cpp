@@ -14,15 +14,22 @@ std::optional<ControlVerb> handover_verb(const ControlAuthority& authority, cons
   return authority.driver.empty() ? std::nullopt : std::optional(ControlVerb::ask);
 }
 
-std::string control_text(const ControlAuthority& authority, const std::string& me) {
+std::string control_text(const ControlAuthority& authority, const std::string& me,
+                         const ControlKeys& keys) {
+  const std::string take = keys.take.empty() ? "" : keys.take + " takes it";
+  const std::string keep = keys.keep.empty() ? "" : ", " + keys.keep + " keeps it";
   if (authority.driver == me) {
     return authority.asked_by.empty()
                ? ""
-               : authority.asked_by + " asks for control: h gives, n keeps it";
+               : authority.asked_by + " asks for control: " + keys.hand_over + " gives" + keep;
   }
   if (authority.driver.empty()) return "";
-  if (authority.asked_by == me) return authority.driver + " drives, and was asked for control";
-  return authority.driver + " drives: h asks for control";
+  if (authority.asked_by == me) {
+    return authority.driver + " drives, and was asked for control" +
+           (take.empty() ? "" : ": " + take);
+  }
+  return authority.driver + " drives: " + keys.hand_over + " asks for control" +
+         (take.empty() ? "" : ", " + take);
 }
 
 std::string operator_name(const std::string& name, const std::string& device) {

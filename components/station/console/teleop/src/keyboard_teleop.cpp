@@ -44,6 +44,20 @@ double stepped(double value, int steps, double factor, double greatest) {
 
 bool same(const Key& a, const Key& b) { return a.kind == b.kind && a.character == b.character; }
 
+std::optional<KeyboardTeleop::ControlKey> control_of(const Key& key) {
+  if (key.kind != Key::Kind::character) return std::nullopt;
+  switch (key.character) {
+    case 'h':
+      return KeyboardTeleop::ControlKey::hand_over;
+    case 'H':
+      return KeyboardTeleop::ControlKey::take;
+    case 'n':
+      return KeyboardTeleop::ControlKey::keep;
+    default:
+      return std::nullopt;
+  }
+}
+
 void require(const char* name, double value, double greatest) {
   if (value <= greatest) return;
   throw ConfigError("teleop_keyboard." + std::string(name) + ": " + std::to_string(value) +
@@ -64,8 +78,8 @@ void KeyboardTeleop::on_bytes(std::string_view bytes, Time now) {
 }
 
 void KeyboardTeleop::on_key(const Key& key, Time now) {
-  if (key.kind == Key::Kind::character && (key.character == 'h' || key.character == 'n')) {
-    control_key_ = key.character == 'h' ? ControlKey::hand_over : ControlKey::keep;
+  if (const auto control = control_of(key)) {
+    control_key_ = control;
     return;
   }
   if (const auto direction = direction_of(key)) {
@@ -127,13 +141,13 @@ std::string KeyboardTeleop::help() const {
     return "  u i o    q z  both speeds up, down\n"
            "  j k l    w x  speed\n"
            "  m , .    e c  turn rate\n"
-           "arrows too; k, space or any other key stops; h, n: control among several; Ctrl-C "
+           "arrows too; k, space or any other key stops; h, H, n: control among several; Ctrl-C "
            "ends\n";
   }
   return "  q w e    + -  both speeds up, down\n"
          "  a s d    r f  speed\n"
          "  z   c    t g  turn rate\n"
-         "arrows too; space or any other key stops; h, n: control among several; Ctrl-C ends\n";
+         "arrows too; space or any other key stops; h, H, n: control among several; Ctrl-C ends\n";
 }
 
 }  // namespace tocsin

@@ -32,6 +32,10 @@ void TeleopComponent::hand_over(Time now) {
   if (const auto verb = handover_verb(authority_, name_)) request(*verb, now);
 }
 
+void TeleopComponent::take_control(Time now) {
+  if (handover_verb(authority_, name_) == ControlVerb::ask) request(ControlVerb::take, now);
+}
+
 void TeleopComponent::request(ControlVerb verb, Time now) {
   topic::DriverRequest::Message message;
   message.stamp(wall(now));

@@ -64,8 +64,8 @@ void TeleopGamepadComponent::lose_pad() {
 }
 
 void TeleopGamepadComponent::log_authority() {
-  const std::string text = authority_text();
-  if (!text.empty() && text != logged_) log().info("{} (h: the start button)", text);
+  const std::string text = authority_text({"the start button", "", ""});
+  if (!text.empty() && text != logged_) log().info("{}", text);
   logged_ = text;
 }
 

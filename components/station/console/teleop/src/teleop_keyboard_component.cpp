@@ -45,6 +45,7 @@ void TeleopKeyboardComponent::read_keys(Time now) {
     teleop_.on_bytes(*bytes, now);
     const auto key = teleop_.take_control_key();
     if (key == KeyboardTeleop::ControlKey::hand_over) hand_over(now);
+    if (key == KeyboardTeleop::ControlKey::take) take_control(now);
     if (key == KeyboardTeleop::ControlKey::keep) keep_control(now);
     return;
   }
@@ -67,7 +68,7 @@ void TeleopKeyboardComponent::show(const geometry::Twist& velocity) {
   };
   append(safety_seen_ ? printable(joined(hindrances(*safety_seen_)), longest_hindrance)
                       : "vehicle not received");
-  append(authority_text());
+  append(authority_text({"h", "H", "n"}));
   if (line == shown_) return;
   terminal_->show(line);
   shown_ = line;

@@ -109,6 +109,19 @@ TEST_F(TeleopKeyboardComponentTest, AsksForControlAndGivesOrKeepsIt) {
   EXPECT_EQ(requests(me), (Verbs{"keep", "give"}));
 }
 
+TEST_F(TeleopKeyboardComponentTest, TakesControlFromWhoDrives) {
+  const std::string me = operator_name("", "keyboard");
+  type("H");
+  EXPECT_TRUE(requests(me).empty()) << "nobody drives";
+  report_driver("anna");
+  EXPECT_THAT(typed_.line, HasSubstr("H takes it"));
+  EXPECT_TRUE(type("H").empty()) << "no key of a direction";
+  EXPECT_EQ(requests(me), std::vector<std::string>{"take"});
+  report_driver(me);
+  type("H");
+  EXPECT_TRUE(requests(me).empty()) << "it has it";
+}
+
 TEST_F(TeleopKeyboardComponentTest, LivesWithoutATerminal) {
   const Computer computer;
   Context context = Context(bus_, "teleop_keyboard", Role::gcs).with_computer(computer);

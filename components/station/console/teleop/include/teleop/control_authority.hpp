@@ -19,8 +19,16 @@ struct ControlAuthority {
 [[nodiscard]] std::optional<ControlVerb> handover_verb(const ControlAuthority& authority,
                                                        const std::string& me);
 
+/// What an operator presses on a device; empty: the device has none.
+struct ControlKeys {
+  std::string hand_over;  ///< for what handover_verb says
+  std::string take;       ///< from who drives, unasked
+  std::string keep;
+};
+
 /// What `me` has to know of it in a few words; empty: nothing.
-[[nodiscard]] std::string control_text(const ControlAuthority& authority, const std::string& me);
+[[nodiscard]] std::string control_text(const ControlAuthority& authority, const std::string& me,
+                                       const ControlKeys& keys);
 
 /// `name`, or when that is empty the device with this computer's name and this process, as
 /// keyboard@gcs1:4711.

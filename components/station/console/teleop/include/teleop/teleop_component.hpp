@@ -39,9 +39,13 @@ class TeleopComponent : public Component {
   [[nodiscard]] Time next_command() const { return sender_.next_deadline(); }
   /// Gives control to who asks for it, or asks who drives.
   void hand_over(Time now);
+  /// Takes control from another who drives, without being given it.
+  void take_control(Time now);
   void keep_control(Time now) { request(ControlVerb::keep, now); }
   /// What the operator has to know of who drives; empty: nothing.
-  [[nodiscard]] std::string authority_text() const { return control_text(authority_, name_); }
+  [[nodiscard]] std::string authority_text(const ControlKeys& keys) const {
+    return control_text(authority_, name_, keys);
+  }
 
  private:
   void request(ControlVerb verb, Time now);

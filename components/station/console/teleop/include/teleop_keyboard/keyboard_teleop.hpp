@@ -52,6 +52,7 @@ class KeyboardTeleop {
 
   enum class ControlKey {
     hand_over,  ///< h: ask for control, or give it
+    take,       ///< H: take it from who drives
     keep,       ///< n
   };
 
