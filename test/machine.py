@@ -105,7 +105,7 @@ class Machine:
         self.line.sendall(f"{command}; echo {mark[:3]}''{mark[3:]} $?\r".encode())
         if waited(lambda: re.search(mark + r" \d", self.read()), most_s) is None:
             return None
-        said = self.text[before:].partition("\n")[2]
+        said = re.sub("\x1b[^a-z]*[a-z]\r?", "", self.text[before:].partition("\n")[2]).replace("\r", "")
         return said.partition(mark)[0] if mark + " 0" in said else None
 
     def cut_power(self):
