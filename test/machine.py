@@ -98,9 +98,10 @@ class Machine:
         return self.text
 
     def shell(self, command, most_s=60):
-        """What a command has printed; None when it fails. The shell echoes what it is told, so the mark is not in there as a whole."""
+        """What a command has printed; None when it fails."""
         if waited(lambda: "root@" in self.read(), 5 * most_s) is None:
             return None
+        # The shell echoes what it is told, so the mark is not in there as a whole.
         mark, before = f"end{time.monotonic_ns()}", len(self.text)
         self.line.sendall(f"{command}; echo {mark[:3]}''{mark[3:]} $?\r".encode())
         if waited(lambda: re.search(mark + r" \d", self.read()), most_s) is None:
