@@ -66,7 +66,6 @@ class DeferredReceptionTest : public ::testing::Test {
 };
 
 TEST_F(DeferredReceptionTest, WhatArrivesBeforeTheReleaseIsHeardAfterIt) {
-  if (fast_dds::version >= 3) GTEST_SKIP() << "nothing waits with this Fast DDS";
   send();
   send();
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
