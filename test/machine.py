@@ -97,9 +97,9 @@ class Machine:
             pass
         return self.text
 
-    def shell(self, command, most_s=60):
+    def shell(self, command, most_s=600):
         """What a command has printed; None when it fails."""
-        if waited(lambda: "root@" in self.read(), 5 * most_s) is None:
+        if waited(lambda: "root@" in self.read(), most_s) is None:
             return None
         # The shell echoes what it is told, so the mark is not in there as a whole.
         mark, before = f"end{time.monotonic_ns()}", len(self.text)
