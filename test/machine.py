@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Virtual machines of Debian 12 with packages of ours, for test/boot and test/budget. Needs root, qemu-system-x86, mmdebstrap."""
 import os
+import pathlib
 import re
 import shutil
 import socket
@@ -10,6 +11,7 @@ import time
 
 SUITE = ["http://deb.debian.org/debian", "deb http://deb.debian.org/debian-security bookworm-security main"]
 SYSTEM = "systemd-sysv,udev,dbus,linux-image-cloud-amd64,iproute2,kmod,initramfs-tools,procps"
+MOST_S = 600  # for anything in an emulated machine, which is slow
 CONSOLE = "[Service]\nExecStart=\nExecStart=-/sbin/agetty --autologin root --noclear ttyS0 vt102\n"
 
 
@@ -17,12 +19,16 @@ def run(*words, **more):
     return subprocess.run(words, check=True, text=True, capture_output=True, **more).stdout
 
 
+def fail(text):
+    sys.exit(f"{pathlib.Path(sys.argv[0]).name}: {text}")
+
+
 def need_machines():
     if os.geteuid() != 0:
-        sys.exit("must run as root")
+        fail("must run as root")
     for program in ("qemu-system-x86_64", "mmdebstrap"):
         if shutil.which(program) is None:
-            sys.exit(f"needs {program}")
+            fail(f"needs {program}")
 
 
 def our_packages(folder, *names):
@@ -30,7 +36,7 @@ def our_packages(folder, *names):
     debs = [next(folder.glob(f"{name}_*.deb"), None) for name in names]
     for name, deb in zip(names, debs):
         if deb is None:
-            sys.exit(f"{folder} has no {name}_*.deb; bringup/packaging/build makes it")
+            fail(f"{folder} has no {name}_*.deb; bringup/packaging/build makes it")
     return debs
 
 
@@ -97,14 +103,14 @@ class Machine:
             pass
         return self.text
 
-    def shell(self, command, most_s=600):
+    def shell(self, command):
         """What a command has printed; None when it fails."""
-        if waited(lambda: "root@" in self.read(), most_s) is None:
+        if waited(lambda: "root@" in self.read(), MOST_S) is None:
             return None
         # The shell echoes what it is told, so the mark is not in there as a whole.
         mark, before = f"end{time.monotonic_ns()}", len(self.text)
         self.line.sendall(f"{command}; echo {mark[:3]}''{mark[3:]} $?\r".encode())
-        if waited(lambda: re.search(mark + r" \d", self.read()), most_s) is None:
+        if waited(lambda: re.search(mark + r" \d", self.read()), MOST_S) is None:
             return None
         said = re.sub("\x1b[^a-z]*[a-z]\r?", "", self.text[before:].partition("\n")[2]).replace("\r", "")
         return said.partition(mark)[0] if mark + " 0" in said else None
