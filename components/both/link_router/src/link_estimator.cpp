@@ -67,7 +67,7 @@ Duration LinkEstimator::on_received(const Received& received, Time now) {
   const auto over_least = [&] {
     return std::clamp(crossing - least_.value().value_or(crossing), Duration::zero(), most);
   };
-  if (!received.is_exact) return over_least();
+  if (!received.is_exact || received.sent < frozen_) return over_least();
   if (received.burst != 0 || received.cost.packets >= bulk_packets) {
     if (!least_.value()) return Duration::zero();
     const Duration delay = over_least();
@@ -122,6 +122,11 @@ Duration LinkEstimator::expected_delay() const { return seconds(delay_s_ + 4 * d
 
 bool LinkEstimator::is_silent(Time now, Duration after) const {
   return unanswered_ >= silence_means && waiting_since_ && now - *waiting_since_ > after;
+}
+
+void LinkEstimator::on_frozen(Time now) {
+  frozen_ = now;
+  if (waiting_since_) waiting_since_ = now;
 }
 
 void LinkEstimator::start_over(Time now) {

@@ -32,6 +32,11 @@ LinkSender::LinkSender(const LinkRouterParams& params)
   check(params);
 }
 
+void LinkSender::begin(Time now) {
+  if (begun_ && now - *begun_ > frozen_after) peers_.on_frozen(now);
+  begun_ = now;
+}
+
 void LinkSender::add_stream(StreamId stream, const StreamRule& rule) {
   assert(rule.depth > 0);
   const bool is_new = streams_.try_emplace(stream, Stream{rule, {}, false}).second;

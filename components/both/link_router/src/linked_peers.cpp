@@ -54,6 +54,12 @@ void LinkedPeers::limit(LinkedPeer& peer) const {
   if (second_bytes_per_s_.value_or(0) > 0) peer.estimators[1].set_limit(*second_bytes_per_s_);
 }
 
+void LinkedPeers::on_frozen(Time now) {
+  for (auto& entry : peers_) {
+    for (LinkEstimator& one : entry.second.estimators) one.on_frozen(now);
+  }
+}
+
 bool LinkedPeers::choose_path(Time now) {
   if (!has_two_paths()) return false;
   const PathIndex before = path();

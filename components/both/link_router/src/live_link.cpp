@@ -13,6 +13,7 @@ LiveLink::LiveLink(Component& owner, const LinkParts& parts, Role role)
     : state_(owner), parts_(parts), role_(role) {}
 
 void LiveLink::begin(Instant at) {
+  parts_.sender.begin(at.now);
   parts_.sender.set_largest_piece(parts_.link.largest_piece());
   while (const auto state = state_.take()) {
     if (role_of(state->role()) == role_) keeper_.on_state(state->active(), at.now);

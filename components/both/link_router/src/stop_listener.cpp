@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "link_router/link_constants.hpp"
 #include "link_router/stop_speaker.hpp"
 
 namespace tocsin::router {

@@ -27,6 +27,21 @@ TEST(Adaptation, BulkWaitsUntilTheRadioHasSentTheOneBefore) {
   EXPECT_EQ(link.sent.back().sample.origin.sequence, 101U);
 }
 
+TEST(Adaptation, AFreezeOfTheSenderIsNotTakenForASlowRadio) {
+  LinkPair link;
+  link.add(1, rule_of(TrafficClass::low));
+  learn_capacity(link, 1);
+  const double capacity = link.sender.capacity_bytes_per_s(link.now);
+  link.offer(1, 100, picture_bytes);
+  link.run(ms);
+  link.freeze(std::chrono::seconds(5));
+  link.run(200 * ms);
+  EXPECT_GE(link.sender.capacity_bytes_per_s(link.now), capacity);
+  link.offer(1, 101, picture_bytes);
+  link.run(200 * ms);
+  EXPECT_EQ(link.delivered[1].back(), 101U);
+}
+
 TEST(Adaptation, BulkWaitsForTheAcknowledgementOfTheOneBefore) {
   LinkPair link;
   link.add(1, rule_of(TrafficClass::low));

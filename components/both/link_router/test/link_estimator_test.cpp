@@ -78,6 +78,23 @@ TEST_F(LinkEstimatorTest, LearnsTheCapacityFromBulk) {
   EXPECT_NEAR(sut.capacity_bytes_per_s(), 50000, 2000) << "a fall is believed at once";
 }
 
+TEST_F(LinkEstimatorTest, WhatWasSentBeforeAFreezeTellsNothingOfTimes) {
+  (void)cross(small, 2 * ms);
+  for (int i = 0; i < 30; ++i, now += 200 * ms) (void)cross(bulk, 52 * ms);
+  const double before = sut.capacity_bytes_per_s();
+  const Time expected = sut.on_sent(bulk, now);
+  const Time thawed = now + std::chrono::seconds(5);
+  sut.on_frozen(thawed);
+  EXPECT_FALSE(sut.is_silent(thawed + 10 * ms)) << "nobody was here to hear the peer";
+  (void)sut.on_received({bulk, now, expected, thawed + 52 * ms + clock_difference, true},
+                        thawed + 52 * ms);
+  EXPECT_EQ(sut.capacity_bytes_per_s(), before);
+  EXPECT_EQ(sut.backlog(thawed + 52 * ms), 0 * ms);
+  now = thawed + 52 * ms;
+  for (int i = 0; i < 8; ++i, now += 300 * ms) (void)cross(bulk, 202 * ms);
+  EXPECT_NEAR(sut.capacity_bytes_per_s(), 50000, 2000) << "what is sent later does";
+}
+
 TEST_F(LinkEstimatorTest, LearnsNoCapacityWithoutSmallSamples) {
   const double before = sut.capacity_bytes_per_s();
   for (int i = 0; i < 9; ++i, now += 200 * ms) EXPECT_EQ(cross(bulk, 52 * ms), 0 * ms);

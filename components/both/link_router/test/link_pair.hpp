@@ -59,6 +59,7 @@ class LinkPair {
       Duration length, const std::function<void()>& each = [] {}) {
     for (const Time end = now + length; now < end; now += ms) {
       each();
+      sender.begin(now);
       send();
       arrive();
       while (const auto acknowledgement = receiver.take_acknowledgement(now + clock_difference)) {
@@ -68,6 +69,9 @@ class LinkPair {
       }
     }
   }
+
+  /// The sender's process stands still; what it has begun to send leaves afterwards.
+  void freeze(Duration length) { now += length; }
 
   [[nodiscard]] ClassCounts counts(TrafficClass traffic_class) const {
     return sender.state(now).classes[index_of(traffic_class)];

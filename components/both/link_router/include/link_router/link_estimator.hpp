@@ -95,6 +95,9 @@ class LinkEstimator {
   [[nodiscard]] double loss() const { return loss_; }
   /// Nothing has been acknowledged for so long that the link counts as dead.
   [[nodiscard]] bool is_silent(Time now, Duration after = silent_after) const;
+  /// This process was frozen until `now`. Of what was sent before nobody knows when it left, so
+  /// that its arrival tells nothing of times; and nobody was here to hear that the peer lives.
+  void on_frozen(Time now);
   /// Nothing that was sent waits for an acknowledgement.
   void on_all_settled() { waiting_since_.reset(); }
   /// The link is back: what was learned of its queue is void, what was measured of its capacity
@@ -129,6 +132,7 @@ class LinkEstimator {
   };
   Measurement last_{};
   Time bulk_arrived_{};                ///< by our clock, as if the least delay were zero
+  Time frozen_{};                      ///< until then, the last time
   std::optional<Time> waiting_since_;  ///< something sent since then, nothing acknowledged
   int unanswered_ = 0;                 ///< transmissions since the last that was acknowledged
 };

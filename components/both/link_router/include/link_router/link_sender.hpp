@@ -65,6 +65,9 @@ class LinkSender {
   LinkSender(const LinkSender&) = delete;
   LinkSender& operator=(const LinkSender&) = delete;
 
+  /// Before all else that happens at `now`.
+  void begin(Time now);
+
   /// A sample that does not fit a packet goes in pieces of at most so many bytes; 0: whole.
   void set_largest_piece(std::size_t bytes) { largest_piece_ = bytes; }
 
@@ -194,6 +197,7 @@ class LinkSender {
   void conclude(Time now);
 
   const LinkRouterParams params_;
+  std::optional<Time> begun_;
   std::map<StreamId, Stream> streams_;
   LinkedPeers peers_;
   LinkQueue queue_;

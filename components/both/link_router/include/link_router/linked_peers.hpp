@@ -48,6 +48,8 @@ class LinkedPeers {
   void add_path(double most_bytes_per_s);
   /// (0, 1] of the air of the first path for what waits for the radio; empty: all of it.
   void set_airtime_share(std::optional<double> share);
+  /// This process was frozen until `now`.
+  void on_frozen(Time now);
   [[nodiscard]] bool has_two_paths() const { return second_bytes_per_s_.has_value(); }
   /// Chooses between two paths by what they are at `now`. Whether it is another one than before.
   bool choose_path(Time now);

@@ -31,8 +31,6 @@ class StopListener {
   static constexpr Duration fresh_for = std::chrono::seconds(1);
   /// A station is received when it has said something within this time.
   static constexpr Duration received_for = std::chrono::seconds(2);
-  /// Not asked to follow for so long: it was frozen.
-  static constexpr Duration frozen_after = std::chrono::milliseconds(500);
   static constexpr std::size_t most_stops = 64;
 
   void on_value(const ReceivedStop& received);
