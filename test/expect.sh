@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Sourced by the scripts that try one thing after the other and count what is as expected. They end with `summarise`.
 passed=0 failed=0
-said=$(mktemp)  # what the last command said
+said=$(mktemp)  # what the last command said; who sources this removes it
 
 # expect WHAT COMMAND...: counts, with the time; shows what a command that failed said.
 expect() {
@@ -24,7 +24,6 @@ count() {
 
 # The last line and the exit code of a script.
 summarise() {
-  rm -f "$said"
   echo "$passed passed, $failed failed"
   [ "$failed" -eq 0 ]
 }
