@@ -33,8 +33,7 @@ LinkSender::LinkSender(const LinkRouterParams& params)
 }
 
 void LinkSender::begin(Time now) {
-  if (begun_ && now - *begun_ > frozen_after) peers_.on_frozen(now);
-  begun_ = now;
+  if (watch_.begins(now)) peers_.on_frozen(now);
 }
 
 void LinkSender::add_stream(StreamId stream, const StreamRule& rule) {

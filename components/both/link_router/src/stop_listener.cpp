@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "link_router/link_constants.hpp"
 #include "link_router/stop_speaker.hpp"
 
 namespace tocsin::router {
@@ -98,8 +97,7 @@ void StopListener::on_packet(const ReceivedPacket& packet) {
 }
 
 void StopListener::follow(Time now) {
-  if (!followed_ || now - *followed_ > frozen_after) begun_ = now;
-  followed_ = now;
+  if (watch_.begins(now)) begun_ = now;
   for (auto it = stations_.begin(); it != stations_.end();) {
     const Station& one = it->second;
     if (one.packet - one.value > fresh_for) add_once(stale_, one.host);

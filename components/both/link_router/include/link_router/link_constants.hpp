@@ -34,9 +34,7 @@ inline constexpr Duration repair_lifespan = std::chrono::seconds(5);
 inline constexpr double capacity_start_bytes_per_s = 100'000;
 /// A peer that acknowledges nothing for so long, though something was sent, is silent.
 inline constexpr Duration silent_after = std::chrono::milliseconds(600);
-/// A router that was not asked to do anything for so long was frozen.
-inline constexpr Duration frozen_after = std::chrono::milliseconds(500);
-/// The same as `silent_after` of a path, when there is another one that does answer.
+/// The same of a path, when there is another one that does answer.
 inline constexpr Duration path_silent_after = std::chrono::milliseconds(250);
 /// Of two paths, the one that nothing else goes by gets a small sample so often.
 inline constexpr Duration path_probe_period = std::chrono::seconds(1);

@@ -13,6 +13,7 @@
 
 #include "link_router/compressed_source.hpp"
 #include "link_router/delivery_log.hpp"
+#include "link_router/freeze_watch.hpp"
 #include "link_router/link_acknowledgement.hpp"
 #include "link_router/link_budget.hpp"
 #include "link_router/link_counters.hpp"
@@ -197,7 +198,7 @@ class LinkSender {
   void conclude(Time now);
 
   const LinkRouterParams params_;
-  std::optional<Time> begun_;
+  FreezeWatch watch_;
   std::map<StreamId, Stream> streams_;
   LinkedPeers peers_;
   LinkQueue queue_;

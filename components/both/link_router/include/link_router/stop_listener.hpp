@@ -10,6 +10,7 @@
 
 #include "foundation/stop_value.hpp"
 #include "foundation/time.hpp"
+#include "link_router/freeze_watch.hpp"
 
 namespace tocsin::router {
 
@@ -86,7 +87,7 @@ class StopListener {
   std::map<std::string, std::uint64_t> numbers_;  ///< highest, by identity
   std::vector<std::string> stale_;                ///< hosts whose value is not fresh
   std::optional<Time> last_value_;
-  std::optional<Time> followed_;
+  FreezeWatch watch_;
   Time begun_{};  ///< of its instance, or after its last freeze
   std::uint64_t releases_ = 0;
 };
