@@ -95,42 +95,70 @@ struct Crossings::Log : Receiver {
 };
 
 Crossings::Crossings(pid_t vehicle, pid_t station, int domain)
-    : logs_(std::make_unique<Shared<std::array<Log, 2>>>()) {
-  const std::string qos_file = folder_.write(
-      "qos.yaml", fmt::format("crossing: {{reliability: reliable, lifespan_s: {}}}\n", lifespan_s));
-  const auto peer = [this, &qos_file](pid_t process, int host_domain, Way from, Way to) {
-    peers_.push_back(std::make_unique<Peer>(process, on_host(host_domain, qos_file),
-                                            [from](Bus& bus) { write_for_ever(bus, from); }));
-    Log& log = (*logs_)->at(static_cast<std::size_t>(to));
-    peers_.push_back(
-        std::make_unique<Peer>(process, on_host(host_domain, qos_file), [to, &log](Bus& bus) {
-          const auto reader = bus.subscribe(endpoint(to), log);
-          for (;;) pause();
-        }));
-  };
-  peer(vehicle, domain, Way::up, Way::down);
-  peer(station, domain + 1, Way::down, Way::up);
+    : Crossings(vehicle, std::vector<pid_t>{station}, domain) {}
+
+Crossings::Crossings(pid_t vehicle, const std::vector<pid_t>& stations, int domain)
+    : qos_file_(folder_.write(
+          "qos.yaml",
+          fmt::format("crossing: {{reliability: reliable, lifespan_s: {}}}\n", lifespan_s))),
+      logs_(std::make_unique<Shared<Logs>>()) {
+  start(vehicle, domain, Way::up, (*logs_)->at(0));
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    start(stations[i], domain + 1 + static_cast<int>(i), Way::down, (*logs_)->at(i + 1));
+  }
 }
 
 Crossings::~Crossings() { peers_.clear(); }
 
-const Crossings::Log& Crossings::log(Way way) const {
-  return (*logs_)->at(static_cast<std::size_t>(way));
+/// Who writes that way, and who reads the other.
+void Crossings::start(pid_t process, int host_domain, Way from, Log& log) {
+  const Way to = from == Way::up ? Way::down : Way::up;
+  peers_.push_back(std::make_unique<Peer>(process, on_host(host_domain, qos_file_),
+                                          [from](Bus& bus) { write_for_ever(bus, from); }));
+  peers_.push_back(
+      std::make_unique<Peer>(process, on_host(host_domain, qos_file_), [to, &log](Bus& bus) {
+        const auto reader = bus.subscribe(endpoint(to), log);
+        for (;;) pause();
+      }));
 }
 
 std::vector<Crossed> Crossings::all(Way way) const {
-  const Log& from = log(way);
-  const auto* const first = from.crossed.data();
-  return {first, first + from.count.load(std::memory_order_acquire)};
+  std::vector<Crossed> all;
+  for (std::size_t i = 0; i < (*logs_)->size(); ++i) {
+    if ((i == 0) != (way == Way::down)) continue;
+    const Log& from = (*logs_)->at(i);
+    const auto* const first = from.crossed.data();
+    all.insert(all.end(), first, first + from.count.load(std::memory_order_acquire));
+  }
+  std::stable_sort(all.begin(), all.end(), [](const Crossed& one, const Crossed& other) {
+    return one.received_ns < other.received_ns;
+  });
+  return all;
 }
 
 std::optional<Crossed> Crossings::first_after(Way way, std::int64_t sent_ns) const {
-  const Log& from = log(way);
-  const auto* const first = from.crossed.data();
-  const auto* const last = first + from.count.load(std::memory_order_acquire);
-  const auto* const found =
-      std::find_if(first, last, [sent_ns](const Crossed& one) { return one.sent_ns > sent_ns; });
-  return found == last ? std::nullopt : std::optional(*found);
+  const auto crossed = all(way);
+  const auto found = std::find_if(crossed.begin(), crossed.end(),
+                                  [sent_ns](const Crossed& one) { return one.sent_ns > sent_ns; });
+  return found == crossed.end() ? std::nullopt : std::optional(*found);
+}
+
+bool Crossings::has_come(std::size_t station, std::int64_t sent_ns) const {
+  const Log& from = (*logs_)->at(station + 1);
+  const std::size_t count = from.count.load(std::memory_order_acquire);
+  return count > 0 && from.crossed[count - 1].sent_ns > sent_ns;
+}
+
+double Crossings::longest_gap_s(Way way, std::int64_t from_ns) const {
+  std::int64_t longest_ns = 0;
+  std::int64_t last_ns = from_ns;
+  for (const Crossed& one : all(way)) {
+    if (one.received_ns < from_ns) continue;
+    longest_ns = std::max(longest_ns, one.received_ns - last_ns);
+    last_ns = one.received_ns;
+  }
+  longest_ns = std::max(longest_ns, wall_now_ns() - last_ns);
+  return 1e-9 * static_cast<double>(longest_ns);
 }
 
 std::optional<Recovery> kill_and_time(const Stack& stack, const std::string& process,

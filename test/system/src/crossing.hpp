@@ -39,26 +39,35 @@ constexpr int standing_domain = 40;
 /// ordinary peers of both hosts that belong to no launch.
 class Crossings {
  public:
-  static constexpr double lifespan_s = 0.3;    ///< of each sample
+  static constexpr double lifespan_s = 0.3;  ///< of each sample
+  static constexpr std::size_t most_stations = 2;
   enum class Way : std::uint8_t { up, down };  ///< from the vehicle, to it
 
   /// `vehicle` and `station` are processes of the hosts, `domain` the vehicle's, the station's is
   /// the next.
   Crossings(pid_t vehicle, pid_t station, int domain);
+  /// The same with several stations, whose domains follow each other; at most most_stations.
+  Crossings(pid_t vehicle, const std::vector<pid_t>& stations, int domain);
   ~Crossings();
   Crossings(const Crossings&) = delete;
   Crossings& operator=(const Crossings&) = delete;
 
-  /// All that crossed so far, in the order of arrival.
+  /// All that crossed so far, at whatever station, in the order of arrival.
   [[nodiscard]] std::vector<Crossed> all(Way way) const;
   /// The first to arrive of those that were written after `sent_ns`.
   [[nodiscard]] std::optional<Crossed> first_after(Way way, std::int64_t sent_ns) const;
+  /// Of those that were written after `sent_ns`, whether one has come to this station.
+  [[nodiscard]] bool has_come(std::size_t station, std::int64_t sent_ns) const;
+  /// [s] The longest time in which nothing arrived, from then until now.
+  [[nodiscard]] double longest_gap_s(Way way, std::int64_t from_ns) const;
 
  private:
   struct Log;
-  [[nodiscard]] const Log& log(Way way) const;
+  using Logs = std::array<Log, 1 + most_stations>;  ///< of the vehicle, then of each station
+  void start(pid_t process, int host_domain, Way from, Log& log);
   TemporaryFolder folder_;
-  const std::unique_ptr<Shared<std::array<Log, 2>>> logs_;  ///< of both ways
+  std::string qos_file_;
+  const std::unique_ptr<Shared<Logs>> logs_;
   std::vector<std::unique_ptr<Peer>> peers_;
 };
 

@@ -20,7 +20,7 @@ Ended check(const std::string& arguments) {
 TEST(Check, HasNoWarningForTheShippedFiles) {
   for (const char* file :
        {"mission.yaml", "obstacles.yaml", "foresight.yaml", "survey.yaml", "two_paths.yaml",
-        "teleop.yaml", "dock.yaml", "vehicle.yaml", "station.yaml",
+        "two_sites.yaml", "teleop.yaml", "dock.yaml", "vehicle.yaml", "station.yaml",
         // What the packages put into /etc/tocsin.
         TOCSIN_REPOSITORY "/bringup/packaging/etc/vehicle.yaml",
         TOCSIN_REPOSITORY "/bringup/packaging/etc/station.yaml",

@@ -203,6 +203,22 @@ TEST_F(SimulationTest, ASecondPathCarriesTheMissionWhenTheFirstIsDeadForHalfAMin
   EXPECT_GT(longest_silence_s(recorded(2, "gcs", "heartbeat")), 25);
 }
 
+TEST_F(SimulationTest, ASecondSiteCarriesTheMissionWhileTheRouterOfTheFirstIsFrozen) {
+  const std::string faults = temporary_.write(
+      "faults.yaml", "faults: [{kind: freeze, at_s: 20, for_s: 30, target: gcs/link}]\n");
+  ASSERT_EQ(
+      sim("two_sites.yaml --seed 1 --faults " + faults + " --set 'recorder.topics=[heartbeat]'")
+          .code,
+      0);
+  const std::string said = read("errors");
+  EXPECT_THAT(said, HasSubstr("south is the site from now on"));
+  EXPECT_THAT(said, HasSubstr("gcs is the site from now on"));
+  EXPECT_THAT(said, HasSubstr("mission mission_a: done"));
+  EXPECT_GT(longest_silence_s(recorded(1, "gcs", "heartbeat")), 25);
+  const auto at_south = column(recorded(1, "south/gcs", "heartbeat"), "role");
+  EXPECT_GE(std::count(at_south.begin(), at_south.end(), "uxv"), 25) << "one comes each second";
+}
+
 TEST_F(SimulationTest, ASurveyIsDoneWithAModelOfTheLocaliser) {
   const Simulated run = sim("survey.yaml --seed 1 --set modelled_localiser.lost_every_s=60");
   EXPECT_EQ(run.code, 0) << run.output;

@@ -39,18 +39,6 @@ std::string with_a_modem(const std::string& folder) {
   return file;
 }
 
-/// [s] The longest time in which nothing arrived.
-double longest_gap_s(const Crossings& crossings, Way way, std::int64_t from_ns) {
-  std::int64_t longest_ns = 0;
-  std::int64_t last_ns = from_ns;
-  for (const Crossed& one : crossings.all(way)) {
-    if (one.received_ns < from_ns) continue;
-    longest_ns = std::max(longest_ns, one.received_ns - last_ns);
-    last_ns = one.received_ns;
-  }
-  return 1e-9 * static_cast<double>(longest_ns);
-}
-
 /// What of it is missing or late: times of writing [s], for a person to read.
 std::string holes(const Crossings& crossings, Way way, std::int64_t from_ns) {
   std::string text;
@@ -93,7 +81,7 @@ TEST(TwoPaths, CriticalSamplesCrossInTimeWhileTheFirstRadioIsDeadAndAfterIt) {
   })) << stack.output();
   for (const Way way : {Way::up, Way::down}) {
     // 0.3 to 0.4 s alone; what a newer sample has followed meanwhile is not sent again.
-    EXPECT_LT(longest_gap_s(crossings, way, dies_ns), 0.8);
+    EXPECT_LT(crossings.longest_gap_s(way, dies_ns), 0.8);
     EXPECT_GE(in_time(crossings, way, dies_ns, 7), 0.9) << "dead" << holes(crossings, way, dies_ns);
     // What a faster path overtakes when it is chosen again is not delivered behind it.
     EXPECT_GE(in_time(crossings, way, dies_ns + 7'000'000'000, 5), 0.95)

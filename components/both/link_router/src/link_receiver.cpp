@@ -9,6 +9,8 @@
 namespace tocsin::router {
 namespace {
 
+/// Peers that are heard of: more names are a forger's.
+constexpr std::size_t most_heard = 64;
 /// Sources of all streams of a peer that are remembered; then the one silent for longest goes.
 constexpr std::size_t most_memories = 256;
 /// So long after the last piece of a sample its sender is told again what is missing.
@@ -44,6 +46,13 @@ void LinkReceiver::forget_peer(const std::string& peer) {
   known->second.streams.clear();
   known->second.partial.clear();
   known->second.acknowledgement_due = never;
+}
+
+void LinkReceiver::on_heard(const std::string& peer, Time sent, Time now) {
+  if (peers_.size() >= most_heard && peers_.count(peer) == 0) return;
+  const auto [known, is_new] = peers_.try_emplace(peer);
+  if (is_new) known->second.acknowledgement_due = never;
+  if (!known->second.instance) (void)known->second.age.age(sent, now);
 }
 
 void LinkReceiver::on_stream(const std::string& peer, StreamId stream, const StreamRule& rule,

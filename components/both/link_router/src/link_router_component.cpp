@@ -17,6 +17,7 @@
 #include "router_stop.hpp"
 #include "runtime/component_entry.hpp"
 #include "runtime/middleware/link_bus.hpp"
+#include "site_link.hpp"
 #include "store_places.hpp"
 
 namespace tocsin {
@@ -43,6 +44,7 @@ class LinkRouterComponent::Router {
   router::LinkSender sender_;
   router::LinkReceiver receiver_;
   LinkStreams streams_;
+  SiteLink sites_;
   LinkEvents::Services services_;
   LinkEvents events_;
 };
@@ -53,6 +55,7 @@ LinkRouterComponent::Router::Router(Component& owner, Context& context, Logger& 
       link_(open_link(owner)),
       sender_(params.link),
       streams_(*link_, sender_),
+      sites_(*link_, receiver_, context.role, log),
       events_(*link_, receiver_, services_) {
   const LinkParts parts{*link_,          sender_,         receiver_,        streams_,
                         events_.peers(), events_.local(), events_.remote(), log};
@@ -61,15 +64,14 @@ LinkRouterComponent::Router::Router(Component& owner, Context& context, Logger& 
   auto backfill = std::make_unique<BackfillLink>(owner, parts, context.computer,
                                                  backfill_params(context, params));
   live->set_backfill(*backfill);
-  services_.push_back(std::make_unique<RouterStop>(owner, context, *link_, log));
+  services_.push_back(std::make_unique<RouterStop>(owner, context, *link_, sites_, log));
   services_.push_back(std::move(live));
   services_.push_back(std::move(acknowledgements));
   services_.push_back(std::make_unique<CallLink>(parts));
   if (context.role == Role::uxv) services_.push_back(std::make_unique<AirtimeLink>(owner, parts));
   services_.push_back(std::move(backfill));
   if (reports_)
-    services_.push_back(
-        std::make_unique<ReportLink>(owner, *reports_, parts, services_, context.role));
+    services_.push_back(std::make_unique<ReportLink>(owner, *reports_, parts, services_, sites_));
   if (link_->paths() > 1) sender_.add_path();
 }
 

@@ -18,13 +18,14 @@ constexpr Duration budget_period = std::chrono::milliseconds(200);
 }  // namespace
 
 ReportLink::ReportLink(Component& owner, ReportOutputs& outputs, const LinkParts& parts,
-                       const Services& services, Role role)
-    : owner_(owner), outputs_(outputs), parts_(parts), services_(services), role_(role) {}
+                       const Services& services, const SiteLink& sites)
+    : owner_(owner), outputs_(outputs), parts_(parts), services_(services), sites_(sites) {}
 
 void ReportLink::finish(Instant at) {
   if (at.now >= next_budget_) report_budgets(at);
   if (at.now < next_report_) return;
   next_report_ = owner_.next_instant(report_period, at.now);
+  if (sites_.is_left()) return;
   report_link(at);
   report_traffic(at);
 }
@@ -33,7 +34,7 @@ template <class Message>
 Message ReportLink::message(Instant at) const {
   Message message;
   message.stamp(ros_stamp(at.wall_ns));
-  message.role(to_string(role_));
+  message.role(to_string(sites_.role()));
   return message;
 }
 
@@ -63,7 +64,7 @@ void ReportLink::report_budgets(Instant at) {
 void ReportLink::report_link(Instant at) {
   auto report = to_message(parts_.sender.state(at.now), parts_.link.packets());
   report.stamp(ros_stamp(at.wall_ns));
-  report.role(to_string(role_));
+  report.role(to_string(sites_.role()));
   for (const auto& service : services_) service->add_to(report, at.now);
   write(outputs_.link_state, std::move(report));
 }

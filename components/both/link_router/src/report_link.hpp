@@ -7,6 +7,7 @@
 #include "link_service.hpp"
 #include "runtime/component.hpp"
 #include "runtime/port.hpp"
+#include "site_link.hpp"
 #include "tocsin_idl/topics.hpp"
 
 namespace tocsin {
@@ -20,13 +21,14 @@ struct ReportOutputs {
 };
 
 /// What a router reports on its host: the state of the link, the traffic of each topic, and the
-/// budgets of adaptive topics.
+/// budgets of adaptive topics. A site whose vehicle speaks with another one reports nothing: that
+/// one does, to whom both are relayed.
 class ReportLink final : public LinkService {
  public:
   using Services = std::vector<std::unique_ptr<LinkService>>;
-  /// `role` of the host. All outlive it.
+  /// All outlive it.
   ReportLink(Component& owner, ReportOutputs& outputs, const LinkParts& parts,
-             const Services& services, Role role);
+             const Services& services, const SiteLink& sites);
   void finish(Instant at) override;
   [[nodiscard]] Time deadline(Time) const override { return std::min(next_report_, next_budget_); }
 
@@ -44,7 +46,7 @@ class ReportLink final : public LinkService {
   ReportOutputs& outputs_;
   const LinkParts parts_;
   const Services& services_;
-  const Role role_;
+  const SiteLink& sites_;
   Time next_report_{};
   Time next_budget_{};
 };

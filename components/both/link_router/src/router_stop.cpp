@@ -26,8 +26,10 @@ std::uint64_t random_instance() {
 
 }  // namespace
 
-RouterStop::RouterStop(Component& owner, const Context& context, LinkBus& link, Logger& log)
+RouterStop::RouterStop(Component& owner, const Context& context, LinkBus& link, SiteLink& sites,
+                       Logger& log)
     : link_(link),
+      sites_(sites),
       log_(log),
       role_(context.role),
       file_(context.state_path(std::string(".") + to_string(context.role) + ".link_stop")),
@@ -39,7 +41,9 @@ RouterStop::RouterStop(Component& owner, const Context& context, LinkBus& link, 
 
 void RouterStop::begin(Instant at) {
   const Time now = at.now;
-  side_->take(link_.take_stop_news(), now);
+  const StopNews news = link_.take_stop_news();
+  side_->take(news, now);
+  sites_.take(news, now);
   send_value(at);
   publish(at);
   if (now >= next_) next_ = now + stop_value_period;
@@ -50,6 +54,7 @@ void RouterStop::send_value(Instant at) {
   const Time now = at.now;
   StopValue value = value_;
   side_->fill(value, now);
+  value.site = sites_.chosen();
   if (says_the_same(value, value_) && now < next_) return;
   if (value.stands != value_.stands) value.since_wall_ns = at.wall_ns;
   const auto wall_us = static_cast<std::uint64_t>(std::max<std::int64_t>(0, at.wall_ns / 1000));

@@ -10,6 +10,7 @@
 #include "runtime/component.hpp"
 #include "runtime/middleware/link_bus.hpp"
 #include "runtime/port.hpp"
+#include "site_link.hpp"
 #include "stop_keys_file.hpp"
 #include "tocsin_idl/topics.hpp"
 
@@ -34,7 +35,8 @@ class RouterStop final : public LinkService {
     [[nodiscard]] virtual StopKeysFile::Content kept() const = 0;
   };
 
-  RouterStop(Component& owner, const Context& context, LinkBus& link, Logger& log);
+  /// It tells `sites` what was received. All outlive it.
+  RouterStop(Component& owner, const Context& context, LinkBus& link, SiteLink& sites, Logger& log);
   void begin(Instant at) override;
   [[nodiscard]] Time deadline(Time) const override { return next_; }
 
@@ -43,6 +45,7 @@ class RouterStop final : public LinkService {
   void publish(Instant at);
 
   LinkBus& link_;
+  SiteLink& sites_;
   Logger& log_;
   const Role role_;
   StopKeysFile file_;

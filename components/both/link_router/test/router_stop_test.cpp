@@ -228,5 +228,85 @@ TEST_F(RouterStopTest, NamesOfTheOtherSideAreShownAsPrintableText) {
   EXPECT_EQ(told().stopped_by().front().find('\x1b'), std::string::npos);
 }
 
+TEST_F(RouterStopTest, AVehicleSpeaksWithTheFirstOfItsSitesAndWithTheNextWhenThatIsSilent) {
+  script_.sites = {"north", "south"};
+  start(Role::uxv);
+  EXPECT_THAT(script_.absent, ElementsAre("south"));
+  EXPECT_EQ(said().site, "north");
+  StopValue south = station(false);
+  south.host = "south";
+  for (int i = 0; i < 7; ++i) {
+    hear(south);
+    run(0.1);
+  }
+  EXPECT_THAT(script_.absent, ElementsAre("north"));
+  EXPECT_EQ(said().site, "south");
+}
+
+TEST_F(RouterStopTest, AStopOfEachSiteStandsWhicheverItSpeaksWith) {
+  script_.sites = {"gcs", "south"};
+  start(Role::uxv);
+  hear(station(false));
+  StopValue south = station(true, {2});
+  south.host = "south";
+  hear(south, 8);
+  EXPECT_TRUE(told().stands());
+  EXPECT_EQ(said().site, "gcs");
+}
+
+TEST_F(RouterStopTest, ASiteLetsGoOfAVehicleThatSpeaksWithAnotherAndReportsNoLink) {
+  start(Role::gcs);
+  SimReader<topic::LinkState> states(host_->bus);
+  StopValue vehicle;
+  vehicle.role = Role::uxv;
+  vehicle.host = "uxv1";
+  vehicle.site = "south";
+  hear(vehicle);
+  EXPECT_THAT(script_.absent, ElementsAre("uxv1"));
+  (void)states.take();
+  run(3);
+  EXPECT_THAT(states.take(), IsEmpty());
+  vehicle.site = "here";
+  hear(vehicle);
+  EXPECT_THAT(script_.absent, IsEmpty());
+  run(3);
+  EXPECT_EQ(states.take().size(), 3U);
+}
+
+TEST_F(RouterStopTest, OnASecuredLinkAVehicleSaysOfItselfAloneWhereItIs) {
+  start(Role::gcs);
+  StopValue vehicle;
+  vehicle.role = Role::uxv;
+  vehicle.host = "uxv1";
+  vehicle.site = "south";
+  script_.stop_news.values.push_back({vehicle, 7, "CN=/uxv2", host_->bus.now()});
+  run(0.2);
+  EXPECT_THAT(script_.absent, IsEmpty());
+  script_.stop_news.values.push_back({vehicle, 7, "CN=/uxv1", host_->bus.now()});
+  run(0.2);
+  EXPECT_THAT(script_.absent, ElementsAre("uxv1"));
+}
+
+TEST_F(RouterStopTest, AValueThatIsOvertakenSaysNothingOfWhereAVehicleIs) {
+  start(Role::gcs);
+  StopValue vehicle;
+  vehicle.role = Role::uxv;
+  vehicle.host = "uxv1";
+  const auto say = [&](const char* site, std::uint64_t number) {
+    vehicle.site = site;
+    vehicle.number = number;
+    script_.stop_news.values.push_back({vehicle, 7, "", host_->bus.now()});
+    run(0.2);
+  };
+  say("south", 30'000'000);
+  say("here", 29'900'000);
+  EXPECT_THAT(script_.absent, ElementsAre("uxv1"));
+  say("here", 30'100'000);
+  EXPECT_THAT(script_.absent, IsEmpty());
+  say("south", ~0ULL);
+  say("here", 30'200'000);
+  EXPECT_THAT(script_.absent, IsEmpty()) << "a forged number counts for once";
+}
+
 }  // namespace
 }  // namespace tocsin

@@ -70,6 +70,8 @@ class ScriptedLink {
   bool damaged = false;              ///< what comes compressed
   bool is_up = true;
   bool host_reads = true;  ///< readers of the host hear at once what is offered there
+  std::vector<std::string> sites;
+  std::set<std::string> absent;  ///< as the router said last
   std::vector<StopValue> said_stops;
   StopNews stop_news;  ///< what the router is told next
   TrafficRules rules;
@@ -88,6 +90,9 @@ class ScriptedLinkBus final : public LinkBus {
     return event;
   }
   [[nodiscard]] PeerId self() const override { return ScriptedLink::own_instance; }
+  [[nodiscard]] std::string host() const override { return "here"; }
+  [[nodiscard]] std::vector<std::string> sites() const override { return script_.sites; }
+  void set_absent(const std::set<std::string>& hosts) override { script_.absent = hosts; }
   [[nodiscard]] PathIndex paths() const override { return script_.paths; }
   void want(FlowId host_flow, bool wanted) override {
     ++script_.wants;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command_line/launch_plan.hpp"
 
+#include <algorithm>
 #include <cassert>
 
 #include "foundation/error.hpp"
@@ -53,9 +54,18 @@ struct PlannedRadio {
   std::string wireless;                ///< what a driver tells of it; empty: nothing
 };
 
+/// Of several stations the one that link_emulator calls gcs.
+const deployment::Host& first_station(const deployment::Deployment& deployment) {
+  const deployment::Host* const named = find_host(deployment, to_string(Role::gcs));
+  if (named != nullptr && named->role == Role::gcs) return *named;
+  return *std::find_if(deployment.hosts.begin(), deployment.hosts.end(),
+                       [](const deployment::Host& one) { return one.role == Role::gcs; });
+}
+
 /// As link_emulator calls it: several vehicles have names, one is a role.
 std::string name_of_end(const deployment::Deployment& deployment, const deployment::Host& host) {
-  const bool is_named = host.role == Role::uxv && !deployment.vehicles.empty();
+  const bool is_named =
+      host.role == Role::uxv ? !deployment.vehicles.empty() : &host != &first_station(deployment);
   return is_named ? host.name : to_string(host.role);
 }
 
@@ -72,8 +82,11 @@ ProcessSpec plan_radio(const deployment::Deployment& deployment, const PlannedRa
   add("--seed", std::to_string(deployment.seed));
   add("--interface", radio.interface);
   for (std::size_t i = 0; i < descriptors.size(); ++i) {
-    add("--end", name_of_end(deployment, deployment.hosts[i]) + ":/proc/self/fd/" +
-                     std::to_string(descriptors[i]) + ":" + radio.addresses[i] + "/24");
+    const deployment::Host& host = deployment.hosts[i];
+    const bool is_site = host.role == Role::gcs && &host != &first_station(deployment);
+    add(is_site ? "--site" : "--end", name_of_end(deployment, host) + ":/proc/self/fd/" +
+                                          std::to_string(descriptors[i]) + ":" +
+                                          radio.addresses[i] + "/24");
   }
   const std::string folder =
       deployment.run_dir + (deployment.vehicles.empty() ? "/" : "/{vehicle}/");

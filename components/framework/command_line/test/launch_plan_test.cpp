@@ -90,6 +90,18 @@ TEST_F(PlanTest, JoinsSeveralVehiclesByTheirNames) {
   EXPECT_THAT(radios.front().command, Contains("/run/{vehicle}/wireless"));
 }
 
+TEST_F(PlanTest, JoinsFurtherStationsAsSites) {
+  deployment::Host south;
+  south.name = "south";
+  south.role = Role::gcs;
+  south.address = "10.77.0.3";
+  deployment_.hosts.push_back(south);
+  const auto radios = plan_radios(deployment_, {5, 6, 7}, folders_);
+  EXPECT_THAT(radios.front().command, Contains("gcs:/proc/self/fd/6:10.77.0.2/24"));
+  EXPECT_THAT(radios.front().command, Contains("south:/proc/self/fd/7:10.77.0.3/24"));
+  EXPECT_THAT(radios.front().command, Contains("--site"));
+}
+
 TEST_F(PlanTest, ASecondRadioJoinsTheHostsByTheirSecondAddresses) {
   deployment_.radio->second = "/modem.yaml";
   deployment_.hosts[0].second = deployment::SecondPath{"10.78.0.1", {"10.78.0.2"}};

@@ -44,6 +44,21 @@ void set_target(const Host& host, ComponentInstance& instance) {
   parameters["target"] = host.peers.front();
 }
 
+bool is_one_of_several_sites(const Deployment& deployment, const std::string& host) {
+  return std::any_of(deployment.hosts.begin(), deployment.hosts.end(), [&](const Host& one) {
+    const auto& sites = one.sites;
+    return sites.size() > 1 && std::find(sites.begin(), sites.end(), host) != sites.end();
+  });
+}
+
+/// A station that is not the only one does not take up what another one has pressed.
+void set_only_station(const Deployment& deployment, const Host& host, ComponentInstance& instance) {
+  if (instance.component != "emergency_stop" || (*instance.parameters)["only_station"]) return;
+  if (!is_one_of_several_sites(deployment, host.name)) return;
+  YAML::Node parameters = *instance.parameters;
+  parameters["only_station"] = false;
+}
+
 /// A file of parameters is for all: a variable that only vehicles have stays in it as it is.
 void reject_variables(const YAML::Node& node, const std::string& owner,
                       const YamlSources& sources) {
@@ -93,6 +108,7 @@ void BringupReader::read() {
   parameters_.common = read_parameters(section, common_of_files());
   for (const VehicleEntry& vehicle : vehicles_) add(vehicle);
   set_peers();
+  name_sites();
   name_the_last();
 }
 
@@ -197,6 +213,24 @@ void BringupReader::set_peers() {
   }
 }
 
+/// A vehicle with several peers knows them by the names of the hosts that have these addresses.
+void BringupReader::name_sites() {
+  for (Host& host : deployment_.hosts) {
+    if (host.role != Role::uxv || is_relay_ || host.peers.size() < 2 || !host.sites.empty())
+      continue;
+    for (const std::string& peer : host.peers) {
+      const auto site = std::find_if(deployment_.hosts.begin(), deployment_.hosts.end(),
+                                     [&](const Host& one) { return one.address == peer; });
+      if (site == deployment_.hosts.end()) {
+        throw ConfigError("hosts." + host.name + ".peers: no host has address " + peer +
+                          "; give the names of all peers as `sites`, the preferred one first (" +
+                          deployment_.file + ")");
+      }
+      host.sites.push_back(site->name);
+    }
+  }
+}
+
 /// A process that there is for each vehicle stands for all of them.
 void BringupReader::name_the_last() {
   std::vector<std::string> last;
@@ -232,6 +266,7 @@ void BringupReader::merge(Host& host, Container& container) const {
       reject_variables(*instance.parameters, process + "/" + instance.name, deployment_.sources);
     }
     set_target(facing, instance);
+    set_only_station(deployment_, host, instance);
   }
 }
 

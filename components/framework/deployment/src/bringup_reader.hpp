@@ -42,6 +42,7 @@ class BringupReader {
   void add_vehicle(Host host, const std::string& name);
   void add_station(Host host, const std::string& vehicle);
   void set_peers();
+  void name_sites();
   void name_the_last();
   void merge(Host& host, Container& container) const;
 

@@ -108,12 +108,44 @@ void check_addresses(const Deployment& deployment) {
   }
 }
 
+std::size_t count_stations(const Deployment& deployment) {
+  const auto is_station = [](const Host& host) { return host.role == Role::gcs; };
+  const auto& hosts = deployment.hosts;
+  return static_cast<std::size_t>(std::count_if(hosts.begin(), hosts.end(), is_station));
+}
+
+/// Hosts that a vehicle may speak with in place of another.
+std::size_t count_sites(const Deployment& deployment) {
+  std::set<std::string> sites;
+  for (const Host& host : deployment.hosts) {
+    for (const std::string& site : host.sites) {
+      if (find_host(deployment, site) != nullptr) sites.insert(site);
+    }
+  }
+  return sites.size();
+}
+
+/// Names and addresses of a vehicle's sites are those of hosts of the file, where it has them.
+void check_sites(const Deployment& deployment) {
+  for (const Host& host : deployment.hosts) {
+    check_unique(deployment, host.sites, "site");
+    for (std::size_t i = 0; i < host.sites.size(); ++i) {
+      const Host* const site = find_host(deployment, host.sites[i]);
+      const bool is_it =
+          site == nullptr || (site->role == Role::gcs && site->address == host.peers[i]);
+      if (is_it && host.role == Role::uxv) continue;
+      fail(deployment, "hosts." + host.name + ".sites: '" + host.sites[i] +
+                           "' is not a host of role gcs with address " + host.peers[i] +
+                           ", or this host is no vehicle");
+    }
+  }
+}
+
 void check_radio(const Deployment& deployment) {
   check_second_paths(deployment);
   if (!deployment.radio) return;
-  const auto is_station = [](const Host& host) { return host.role == Role::gcs; };
-  const auto stations = std::count_if(deployment.hosts.begin(), deployment.hosts.end(), is_station);
-  if (stations != 1 || deployment.hosts.size() < 2) {
+  const std::size_t stations = count_stations(deployment);
+  if (stations == 0 || stations == deployment.hosts.size()) {
     fail(deployment, "radio: needs two hosts, one with role uxv and one with role gcs");
   }
   check_addresses(deployment);
@@ -292,9 +324,12 @@ void assign_domains(int domain, Deployment& deployment) {
 
 void check_whole(const Deployment& deployment) {
   const std::size_t hosts = deployment.hosts.size();
-  if (hosts == 0 || (hosts > 2 && hosts > deployment.vehicles.size() + 1)) {
+  const std::size_t sites = std::max<std::size_t>(1, count_sites(deployment));
+  const std::size_t most = std::max<std::size_t>(1, deployment.vehicles.size()) + sites;
+  if (hosts == 0 || hosts > most) {
     fail(deployment, "hosts: " + std::to_string(hosts) + " hosts; allowed are one or two" +
-                         (deployment.vehicles.empty() ? "" : ", or all vehicles and a station"));
+                         (deployment.vehicles.empty() ? "" : ", or all vehicles and a station") +
+                         "; of role gcs more where they are sites of a vehicle");
   }
   std::vector<std::string> host_names;
   for (const Host& host : deployment.hosts) host_names.push_back(host.name);
@@ -303,6 +338,7 @@ void check_whole(const Deployment& deployment) {
   const auto names = process_names(deployment);
   check_unique(deployment, names, "process");
   check_components(deployment);
+  check_sites(deployment);
   check_radio(deployment);
   for (const std::string& last : deployment.stop_when_exits) {
     if (std::find(names.begin(), names.end(), last) != names.end()) continue;

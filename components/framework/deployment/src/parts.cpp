@@ -91,15 +91,22 @@ std::string routed_namespace_of(const Deployment& deployment, const Container& c
 
 std::vector<std::string> peer_names_of(const Deployment& deployment, const Host& host,
                                        const Container& container) {
-  if (container.vehicle.empty()) return {};
+  if (container.vehicle.empty()) return host.sites;
   if (!deployment.relay) return {container.vehicle};
   const Relay& relay = *deployment.relay;
   return {relay.site == host.name ? relay.station : relay.site};
 }
 
+std::string folder_of(const Deployment& deployment, const Host& host) {
+  const auto first = std::find_if(deployment.hosts.begin(), deployment.hosts.end(),
+                                  [](const Host& one) { return one.role == Role::gcs; });
+  const bool is_further = host.role == Role::gcs && first != deployment.hosts.end() &&
+                          first->name != host.name && !deployment.relay;
+  return deployment.run_dir + (is_further ? "/" + host.name : "");
+}
+
 std::string run_dir_of(const Deployment& deployment, const Host& host, const Container& container) {
-  const std::string vehicle = vehicle_of(deployment, host, container);
-  return vehicle.empty() ? deployment.run_dir : deployment.run_dir + "/" + vehicle;
+  return folder_of(part_of(deployment, vehicle_of(deployment, host, container)), host);
 }
 
 }  // namespace tocsin::deployment

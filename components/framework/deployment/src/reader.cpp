@@ -103,12 +103,25 @@ std::optional<SecondPath> read_second(const Section& of_host, const Host& host,
   return second;
 }
 
+std::vector<std::string> read_sites(const Section& section, const Host& host,
+                                    const YamlSources& sources) {
+  const std::vector<std::string> sites = section.texts("sites");
+  const std::vector<YAML::Node> nodes = section.items("sites");
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    check_name(sites[i], "hosts." + host.name + ".sites", nodes[i], sources);
+  }
+  if (sites.empty() || sites.size() == host.peers.size()) return sites;
+  section.fail("sites", std::to_string(sites.size()) +
+                            " names must be as many as the host's peers, which are " +
+                            std::to_string(host.peers.size()) + ", in the same order");
+}
+
 Host read_host(const std::string& name, const YAML::Node& node, const YamlSources& sources) {
   check_name(name, "hosts", node, sources);
   const std::string owner = "hosts." + name;
-  const Section section(
-      node, owner, sources,
-      {"role", "address", "peers", "second", "enclave", "domain", "programs", "containers"});
+  const Section section(node, owner, sources,
+                        {"role", "address", "peers", "sites", "second", "enclave", "domain",
+                         "programs", "containers"});
   Host host;
   host.name = name;
   const std::string role = section.required_text("role");
@@ -118,6 +131,7 @@ Host read_host(const std::string& name, const YAML::Node& node, const YamlSource
   check_address(host.address, "address", section);
   host.peers = section.texts("peers");
   for (const std::string& peer : host.peers) check_address(peer, "peers", section);
+  host.sites = read_sites(section, host, sources);
   host.second = read_second(section, host, sources);
   host.enclave = section.text("enclave", name);
   const bool has_domain = section.find("domain").IsDefined();

@@ -95,6 +95,7 @@ void write(YAML::Emitter& out, const Host& host, const YamlSources& sources) {
   pair(out, "role", to_string(host.role));
   text(out, "address", host.address);
   texts(out, "peers", host.peers);
+  if (!host.sites.empty()) texts(out, "sites", host.sites);
   if (host.second) {
     out << YAML::Key << "second" << YAML::Value << BeginMap;
     text(out, "address", host.second->address);
@@ -180,6 +181,13 @@ void write(YAML::Emitter& out, const Deployment& deployment) {
   out << EndMap << EndMap;
 }
 
+void write_part(const Deployment& part) {
+  std::error_code error;
+  std::filesystem::create_directories(part.run_dir, error);
+  if (error) throw EnvironmentError(part.run_dir + ": cannot be made: " + error.message());
+  write_resolved(part, part.run_dir + "/deployment.yaml");
+}
+
 }  // namespace
 
 std::string resolved_text(const Deployment& deployment) {
@@ -201,12 +209,13 @@ void write_resolved(const Deployment& deployment, const std::string& path) {
 }
 
 void write_parts(const Deployment& deployment) {
-  if (deployment.vehicles.empty()) return;
   for (const Deployment& part : parts_of(deployment)) {
-    std::error_code error;
-    std::filesystem::create_directories(part.run_dir, error);
-    if (error) throw EnvironmentError(part.run_dir + ": cannot be made: " + error.message());
-    write_resolved(part, part.run_dir + "/deployment.yaml");
+    if (part.run_dir != deployment.run_dir) write_part(part);
+    for (const Host& host : part.hosts) {
+      Deployment site = part;
+      site.run_dir = folder_of(part, host);
+      if (site.run_dir != part.run_dir) write_part(site);
+    }
   }
 }
 

@@ -201,6 +201,79 @@ TEST_F(SecondPathTest, AnEmulatedOneNeedsAddressesOfAnotherNetworkOnBothHosts) {
               HasSubstr("radio.second: '"));
 }
 
+/// A vehicle and two stations that it may speak with.
+class SitesTest : public DeploymentTest {
+ protected:
+  const std::string file_ =
+      "domain: 60\nhosts:\n"
+      "  uxv1: {role: uxv, address: 10.1.0.1, peers: [10.1.0.3, 10.1.0.2]}\n"
+      "  south: {role: gcs, address: 10.1.0.2, peers: [10.1.0.1]}\n"
+      "  north: {role: gcs, address: 10.1.0.3, peers: [10.1.0.1]}\n";
+};
+
+TEST_F(SitesTest, AreKnownByTheNamesOfTheHostsInTheOrderOfThePeers) {
+  const Deployment sut = load(file_);
+  ASSERT_EQ(sut.hosts.size(), 3U);
+  EXPECT_THAT(sut.hosts[0].sites, ElementsAre("north", "south"));
+  EXPECT_THAT(sut.hosts[1].sites, ElementsAre());
+  EXPECT_EQ(sut.link_domain, 63);
+  const Container container{"link", false, {}};
+  EXPECT_THAT(peer_names_of(sut, sut.hosts[0], container), ElementsAre("north", "south"));
+}
+
+TEST_F(SitesTest, AreNamedWhereTheFileDoesNotHaveTheirHosts) {
+  const std::string alone =
+      "hosts: {uxv: {role: uxv, address: 10.1.0.1, peers: [1.1.1.1, 1.1.1.2]}}";
+  EXPECT_THAT(error_of(alone), HasSubstr("hosts.uxv.peers: no host has address 1.1.1.1; give the "
+                                         "names of all peers as `sites`"));
+  const auto named = [&](const std::string& sites) {
+    return with(alone, "1.1.1.2]", "1.1.1.2], sites: " + sites);
+  };
+  EXPECT_THAT(load(named("[a, b]")).hosts[0].sites, ElementsAre("a", "b"));
+  EXPECT_THAT(error_of(named("[a]")), HasSubstr("1 names must be as many as the host's peers"));
+  EXPECT_THAT(error_of(named("[a, a]")), HasSubstr("'a'"));
+  EXPECT_THAT(error_of(named("[a, b/c]")), HasSubstr("b/c"));
+}
+
+TEST_F(SitesTest, MustBeStationsWithTheseAddresses) {
+  EXPECT_THAT(
+      error_of(with(file_, "10.1.0.2]}", "10.1.0.2], sites: [south, north]}")),
+      HasSubstr("hosts.uxv1.sites: 'south' is not a host of role gcs with address 10.1.0.3"));
+  EXPECT_THAT(error_of(with(file_, "10.1.0.3, 10.1.0.2]", "10.1.0.3]")), HasSubstr("3 hosts"))
+      << "nobody speaks with the other";
+}
+
+TEST_F(SitesTest, AreKeptInTheResolvedFile) {
+  const Deployment sut = load(file_);
+  write_resolved(sut, path("resolved.yaml"));
+  EXPECT_THAT(load_resolved(path("resolved.yaml")).hosts[0].sites, ElementsAre("north", "south"));
+}
+
+TEST_F(SitesTest, EachButTheFirstHasAFolderOfItsOwnInThatOfTheRun) {
+  Deployment sut = load(file_);
+  sut.run_dir = path("run");
+  EXPECT_EQ(folder_of(sut, sut.hosts[0]), path("run"));
+  EXPECT_EQ(folder_of(sut, sut.hosts[1]), path("run"));
+  EXPECT_EQ(folder_of(sut, sut.hosts[2]), path("run/north"));
+  EXPECT_EQ(run_dir_of(sut, sut.hosts[2], {"link", false, {}}), path("run/north"));
+  write_parts(sut);
+  EXPECT_EQ(load_resolved(path("run/north/deployment.yaml")).run_dir, path("run/north"));
+}
+
+TEST_F(SitesTest, DoNotTakeUpEachOthersStops) {
+  const auto only_station = [&](const std::string& stop) {
+    std::string file =
+        with(file_, "gcs, address: 10.1.0.3",
+             "gcs, containers: [{name: a, components: [" + stop + "]}], address: 10.1.0.3");
+    const Deployment sut = load("qos: ../qos.yaml\ntraffic: ../traffic.yaml\n" + file);
+    const YAML::Node& parameters = *find_host(sut, "north")->containers[0].components[0].parameters;
+    return parameters["only_station"].as<std::string>("not given");
+  };
+  EXPECT_EQ(only_station("emergency_stop"), "false");
+  EXPECT_EQ(only_station("{component: emergency_stop, parameters: {only_station: true}}"), "true");
+  EXPECT_EQ(only_station("stop_relay"), "not given");
+}
+
 TEST_F(DeploymentTest, RejectsHostsAndProcessesThatDoNotFit) {
   expect_errors(
       [this](const auto& text) { return error_of(text); },

@@ -139,6 +139,10 @@ class SimHost {
   SimHost(Network& network, std::string name, Role role, const std::string& traffic_file,
           VehicleChain chain = VehicleChain::ours);
 
+  /// Of a vehicle that has several, by preference; before its router runs.
+  void set_sites(std::vector<std::string> sites) { sites_ = std::move(sites); }
+  [[nodiscard]] const std::vector<std::string>& sites() const { return sites_; }
+
   /// Whose topic one is that a process of this host names.
   [[nodiscard]] SimHost& home_of(const std::string& topic);
 
@@ -178,6 +182,7 @@ class SimHost {
   std::string name_;
   Role role_;
   TrafficRules rules_;
+  std::vector<std::string> sites_;
   SimLinkBus* router_ = nullptr;
   std::map<std::string, HostTopic> topics_;
   LocalServices services_;

@@ -66,7 +66,7 @@ SimLinkBus::SimLinkBus(Network& network, const SimProcess& process, SimHost& hos
   const auto others = network_.routers;
   network_.routers[host_.name()] = this;
   for (const auto& entry : others) {
-    if (entry.first == host_.name()) continue;
+    if (entry.first == host_.name() || !is_peer(*entry.second)) continue;
     network_.core.events.at(network_.core.now + meeting_takes,
                             [&network, own = life_, other = entry.second->life_] {
                               SimLinkBus* const one = network.find_router(own);
@@ -129,8 +129,36 @@ void SimLinkBus::meet(SimLinkBus& peer) {
   const auto before = peers_.find(peer.host_.name());
   const PeerId old = before == peers_.end() ? 0 : before->second;
   peers_[peer.host_.name()] = peer.life_;
+  if (is_absent(peer.life_)) return;
   push(link_event::PeerFound{peer.life_, peer.host_.name()});
   if (old != 0) forget(old);
+}
+
+bool SimLinkBus::is_absent(PeerId peer) const {
+  return std::any_of(peers_.begin(), peers_.end(), [&](const auto& one) {
+    return one.second == peer && absent_.count(one.first) != 0;
+  });
+}
+
+void SimLinkBus::set_absent(const std::set<std::string>& hosts) {
+  const std::set<std::string> before = std::exchange(absent_, hosts);
+  for (const auto& [host, life] : std::map(peers_)) {
+    const bool is_absent = hosts.count(host) != 0;
+    if (is_absent == (before.count(host) != 0)) continue;
+    if (is_absent) {
+      forget(life);
+    } else if (SimLinkBus* const peer = network_.find_router(life)) {
+      find_again(*peer);
+    }
+  }
+}
+
+void SimLinkBus::find_again(SimLinkBus& peer) {
+  push(link_event::PeerFound{peer.life_, peer.host_.name()});
+  learn_all(peer);
+  for (const auto& [from, flow] : peer.read_) {
+    if (from == life_) push(link_event::PeerReaderMatched{flow, peer.life_});
+  }
 }
 
 void SimLinkBus::learn_all(SimLinkBus& peer) {
@@ -154,6 +182,7 @@ void SimLinkBus::forget(PeerId peer) {
 void SimLinkBus::learn(SimLinkBus& peer, FlowId flow) {
   const auto found = peer.sending_.find(flow);
   if (found == peer.sending_.end() || peer_flows_.count({peer.life_, flow}) != 0) return;
+  if (is_absent(peer.life_)) return;
   const std::string& topic = found->second.flow.topic;
   if (!rules().takes(topic) && !is_of_routers(rules(), topic)) return;
   for (PathIndex path = 0; path < paths(); ++path) learn(peer, flow, path);
@@ -265,6 +294,7 @@ std::optional<std::uint64_t> SimLinkBus::send(FlowId flow, const CarriedSample& 
   const Overheard what{life_, wire_of(flow, path), number, sample, piece, stop};
   if (network_.on_air) network_.on_air(what);
   for (const auto& peer : peers_) {
+    if (absent_.count(peer.first) != 0) continue;
     const auto transmission =
         std::make_shared<Transmission>(network_, what, peer.second, packets.size());
     for (std::size_t i = 0; i < packets.size(); ++i) {

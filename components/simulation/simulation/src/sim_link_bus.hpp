@@ -42,6 +42,9 @@ class SimLinkBus final : public LinkBus {
 
   [[nodiscard]] std::optional<LinkEvent> take() override;
   [[nodiscard]] PeerId self() const override { return life_; }
+  [[nodiscard]] std::string host() const override { return host_.name(); }
+  [[nodiscard]] std::vector<std::string> sites() const override { return host_.sites(); }
+  void set_absent(const std::set<std::string>& hosts) override;
   void want(FlowId host_flow, bool wanted) override;
   FlowId open(const Flow& flow, TrafficClass traffic_class) override;
   [[nodiscard]] PathIndex paths() const override { return network_.second_link != nullptr ? 2 : 1; }
@@ -121,6 +124,13 @@ class SimLinkBus final : public LinkBus {
   void send_stop(Duration period);
   void send_stop(PathIndex path, const std::shared_ptr<const StopValue>& stop);
   void repeat_stop();
+  /// Whether it is on the other side of the radio.
+  [[nodiscard]] bool is_peer(const SimLinkBus& other) const {
+    return other.host_.direction() != host_.direction();
+  }
+  [[nodiscard]] bool is_absent(PeerId peer) const;
+  /// A peer is absent no more.
+  void find_again(SimLinkBus& peer);
   void push(LinkEvent event);
   void tell_observer(GateEvent event) const;
   void meet(SimLinkBus& peer);
@@ -144,6 +154,7 @@ class SimLinkBus final : public LinkBus {
   std::map<const SimProcess::Topic*, FlowId> flow_by_writer_;  ///< of host_flows_, looked up only
   std::set<FlowId> idle_;                                   ///< of them, on demand and not wanted
   std::map<std::string, PeerId> peers_;                     ///< by the name of the host
+  std::set<std::string> absent_;                            ///< of them
   std::map<std::pair<PeerId, FlowId>, FlowId> peer_flows_;  ///< by the peer's number
   std::set<std::pair<PeerId, FlowId>> read_;                ///< of them, what the peer was told
   std::map<FlowId, Flow> known_;  ///< flows of peers, and those of offer()

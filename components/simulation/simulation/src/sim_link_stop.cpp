@@ -19,6 +19,7 @@ std::size_t stop_bytes(const StopValue& value) {
   std::size_t bytes =
       fixed + value.host.size() + sizeof(StopToken) * (value.locks.size() + value.keys.size());
   for (const std::string& name : value.by) bytes += 1 + name.size();
+  if (!value.site.empty()) bytes += 1 + value.site.size();
   return (bytes + 3) / 4 * 4;
 }
 
@@ -55,7 +56,7 @@ void SimLinkBus::send_stop(PathIndex path, const std::shared_ptr<const StopValue
   if (network_.on_air) network_.on_air({life_, 0, 0, {}, {}, stop});
   const std::size_t bytes = ip_udp_rtps_bytes + stop_bytes(*stop);
   for (const auto& entry : network_.routers) {
-    if (entry.second == this) continue;
+    if (!is_peer(*entry.second)) continue;
     radio(path).send({host_.direction(), stop_dscp, network_.vehicle}, bytes,
                      [&network = network_, own = life_, other = entry.second->life_, stop] {
                        SimLinkBus* const to = network.find_router(other);

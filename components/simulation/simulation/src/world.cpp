@@ -120,10 +120,12 @@ void World::add(const deployment::Deployment& part, const deployment::Host& host
                 Network& network) {
   Side& side = sides_.emplace_back();
   side.vehicle = network.vehicle;
-  side.run_dir = part.run_dir;
+  side.run_dir = folder_of(part, host);
+  if (side.run_dir != part.run_dir) std::filesystem::create_directories(side.run_dir);
   side.host = std::make_unique<SimHost>(
       network, host.name, host.role, part.traffic,
       drives_a_vehicle(deployment_) ? VehicleChain::ours : VehicleChain::foreign);
+  side.host->set_sites(host.sites);
   side.computer = std::make_unique<SimComputer>(
       core, link_, SimComputer::Place{host.name, side.host->direction(), network.vehicle},
       part.run_dir + "/wireless");

@@ -51,6 +51,9 @@ class LinkReceiver {
   void on_peer(const std::string& peer, InstanceId instance);
   /// It is gone; what was delivered of it is remembered.
   void forget_peer(const std::string& peer);
+  /// Something was heard of a peer that is not there, sent at `sent` by its host's clock: when it
+  /// comes, the ages of its samples are known. Of at most 64 peers.
+  void on_heard(const std::string& peer, Time sent, Time now);
   /// A link writer of a known peer, on a path: one name has one on each. Of the rule, name, depth,
   /// lifespan and traffic_class count.
   void on_stream(const std::string& peer, StreamId stream, const StreamRule& rule,

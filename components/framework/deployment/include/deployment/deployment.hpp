@@ -94,6 +94,9 @@ struct Host {
   std::vector<Container> containers;
   std::string enclave = {};  ///< name of its identity in the keystore
   std::optional<SecondPath> second = {};
+  /// Of a vehicle with several peers: their names in the same order. It speaks with the first one
+  /// that it hears, so the order is one of preference. Else empty.
+  std::vector<std::string> sites = {};
 };
 
 /// The emulated radio between the two hosts; with it each host has a network namespace.
@@ -143,7 +146,9 @@ struct Deployment {
   std::vector<std::string> stop_when_exits;
   RestartPolicy restart;
   std::optional<Radio> radio;
-  std::vector<Host> hosts;  ///< one or two, in the file's order; several vehicles, then a station
+  /// One or two, in the file's order, or several vehicles, then a station; more stations where a
+  /// vehicle has several sites.
+  std::vector<Host> hosts;
   /// Names of the hosts that are vehicles when `vehicles` of the file names them; with a relay
   /// those that stand behind its site; else empty.
   std::vector<std::string> vehicles;
@@ -181,8 +186,8 @@ struct Overrides {
 /// Writes that text to a file, whole or not at all. Throws EnvironmentError when it cannot.
 void write_resolved(const Deployment& deployment, const std::string& path);
 
-/// Makes the folder of each of several vehicles, and writes its part of the deployment there: it is
-/// like the folder of a run of this vehicle alone. Throws EnvironmentError.
+/// Makes the folder of each of several vehicles and sites, and writes its part of the deployment
+/// there: it is like the folder of a run of this one alone. Throws EnvironmentError.
 void write_parts(const Deployment& deployment);
 
 /// Reads what write_resolved wrote. Throws ConfigError like load_deployment. `copy`: where the same
@@ -211,6 +216,9 @@ void write_parts(const Deployment& deployment);
 /// Names of those whom the container's router listens to on the link; empty: it does not matter.
 [[nodiscard]] std::vector<std::string> peer_names_of(const Deployment& deployment, const Host& host,
                                                      const Container& container);
+/// The folder for a host's files in that of a run, or of a vehicle's part of it: of several sites
+/// each but the first has one of its own.
+[[nodiscard]] std::string folder_of(const Deployment& deployment, const Host& host);
 /// The folder for the files of the container's components.
 [[nodiscard]] std::string run_dir_of(const Deployment& deployment, const Host& host,
                                      const Container& container);

@@ -300,6 +300,24 @@ void FastDdsLinkBus::want(FlowId host_flow, bool wanted) {
   listen_on_host(host_flow, *flow);
 }
 
+/// Who has no sites has one peer, whatever that is called.
+void FastDdsLinkBus::set_absent(const std::set<std::string>& hosts) {
+  table_.set_absent(hosts);
+  std::set<std::uint32_t> muted;
+  const auto mute = [&](const std::vector<std::string>& peers) {
+    const auto addresses = ipv4_addresses(peers);
+    for (std::size_t i = 0; i < addresses.size(); ++i) {
+      const bool is_named = i < options_.sites.size();
+      if (is_named ? hosts.count(options_.sites[i]) != 0 : !hosts.empty()) {
+        muted.insert(addresses[i]);
+      }
+    }
+  };
+  mute(options_.link_peers);
+  mute(options_.second_peers);
+  marks_->mute(std::move(muted));
+}
+
 FlowId FastDdsLinkBus::open(const Flow& flow, TrafficClass traffic_class) {
   const FlowId id = table_.fresh_id();
   Sending& sending = sending_[id];

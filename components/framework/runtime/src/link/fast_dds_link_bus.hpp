@@ -46,6 +46,9 @@ class FastDdsLinkBus final : public LinkBus {
   }
   void want(FlowId host_flow, bool wanted) override;
   FlowId open(const Flow& flow, TrafficClass traffic_class) override;
+  [[nodiscard]] std::string host() const override { return options_.host; }
+  [[nodiscard]] std::vector<std::string> sites() const override { return options_.sites; }
+  void set_absent(const std::set<std::string>& hosts) override;
   [[nodiscard]] PathIndex paths() const override { return options_.second_address.empty() ? 1 : 2; }
   [[nodiscard]] std::uint32_t wire_id(FlowId flow, PathIndex path) const override;
   void close(FlowId flow) override;

@@ -125,25 +125,47 @@ void FlowTable::apply(const PeerInstances::Change& change) {
     events_.push_back(link_event::PeerFound{*change.joined, instances_.name_of(*change.joined)});
   }
   if (change.left) {
-    std::map<Guid, Flow> goes_on;  // it may return
-    for (const Guid& guid : writers_of(*change.left)) {
-      goes_on.emplace(guid, flows_.at(by_writer_.at(guid)).flow);
-      remove(guid);
-    }
-    events_.push_back(link_event::PeerLost{*change.left});
-    if (instances_.name_of(*change.left).empty()) goes_on.clear();
+    leave(*change.left);
     note_superseded(*change.left);
-    for (const auto& [guid, flow] : goes_on) add(guid, flow, true);
   }
-  if (!change.joined) return;
-  for (const Guid& guid : writers_of(*change.joined)) {
+  if (change.joined) join(*change.joined);
+}
+
+/// It may return, so that its writers are known all the same; of one that has departed they are
+/// not.
+void FlowTable::leave(PeerId peer) {
+  std::map<Guid, Flow> goes_on;
+  for (const Guid& guid : writers_of(peer)) {
+    goes_on.emplace(guid, flows_.at(by_writer_.at(guid)).flow);
+    remove(guid);
+  }
+  events_.push_back(link_event::PeerLost{peer});
+  if (instances_.name_of(peer).empty()) return;
+  for (const auto& [guid, flow] : goes_on) add(guid, flow, true);
+}
+
+void FlowTable::join(PeerId peer) {
+  for (const Guid& guid : writers_of(peer)) {
     const FlowId id = by_writer_.at(guid);
     events_.push_back(
-        link_event::PeerFlow{id, *change.joined, wire_id_of(guid.entityId), flows_.at(id).flow});
+        link_event::PeerFlow{id, peer, wire_id_of(guid.entityId), flows_.at(id).flow});
   }
-  for (const FlowId flow : listens_[*change.joined]) {
-    events_.push_back(link_event::PeerReaderMatched{flow, *change.joined});
+  for (const FlowId flow : listens_[peer]) {
+    events_.push_back(link_event::PeerReaderMatched{flow, peer});
   }
+}
+
+void FlowTable::set_absent(const std::set<std::string>& hosts) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (const PeerInstances::Change& change : instances_.set_absent(hosts)) {
+      if (change.left) leave(*change.left);
+      if (!change.joined) continue;
+      events_.push_back(link_event::PeerFound{*change.joined, instances_.name_of(*change.joined)});
+      join(*change.joined);
+    }
+  }
+  on_event_();
 }
 
 void FlowTable::on_host_end(const Guid& guid, const AnnouncedEnd& end, bool there) {

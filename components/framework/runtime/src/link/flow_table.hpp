@@ -42,6 +42,9 @@ class FlowTable {
   /// Of the instances of a peer one counts: see PeerInstances. A flow of another one is reported
   /// without its peer, so that its samples are received, and again when it counts.
   void on_peer(const Participant& participant, const std::string& name, bool there, Time now);
+  /// Peers of these hosts are reported as lost, and what is received of them is not taken, until
+  /// another set replaces it.
+  void set_absent(const std::set<std::string>& hosts);
   /// A peer has begun, or ended, to read what is sent on a flow of ours.
   void on_peer_listens(const Participant& participant, FlowId flow, bool there);
   /// A sample of a writer on the link was received. Whether its instance of the peer counts.
@@ -80,6 +83,8 @@ class FlowTable {
   [[nodiscard]] std::vector<Guid> writers_of(PeerId peer) const;
   void note_superseded(PeerId peer);
   void apply(const PeerInstances::Change& change);
+  void leave(PeerId peer);
+  void join(PeerId peer);
 
   const TopicNames names_;
   const TrafficRules& rules_;

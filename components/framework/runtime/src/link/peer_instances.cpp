@@ -2,6 +2,7 @@
 #include "link/peer_instances.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace tocsin {
 namespace {
@@ -12,8 +13,8 @@ constexpr int gap_share = 8;  ///< weight of a new gap is one of so many
 }  // namespace
 
 PeerInstances::Change PeerInstances::on_announced(Id id, const std::string& name, Time) {
-  const bool is_new = instances_.try_emplace(id, Instance{name}).second;
-  if (!is_new || current_.count(name) != 0) return {};
+  const bool is_new = instances_.try_emplace(id, Instance{name, ++announced_}).second;
+  if (!is_new || current_.count(name) != 0 || absent_.count(name) != 0) return {};
   current_[name] = id;
   return {id, {}};
 }
@@ -42,6 +43,7 @@ PeerInstances::Change PeerInstances::on_received(Id id, Time now) {
   if (found == instances_.end()) return {};
   Instance& instance = found->second;
   hear(instance, now);
+  if (absent_.count(instance.name) != 0) return {};
   const auto current = current_.find(instance.name);
   if (current == current_.end()) {
     current_[instance.name] = id;
@@ -77,6 +79,34 @@ PeerInstances::Change PeerInstances::replace(Id current, Id by, Time now) {
   next.returned.reset();
   current_[next.name] = by;
   return {by, current};
+}
+
+std::optional<PeerInstances::Id> PeerInstances::last_of(const std::string& name) const {
+  std::optional<Id> last;
+  for (const auto& [id, instance] : instances_) {
+    if (instance.name != name) continue;
+    if (!last || instances_.at(*last).order < instance.order) last = id;
+  }
+  return last;
+}
+
+std::vector<PeerInstances::Change> PeerInstances::set_absent(const std::set<std::string>& names) {
+  std::vector<Change> changes;
+  for (const std::string& name : names) {
+    const auto current = current_.find(name);
+    if (current == current_.end()) continue;
+    instances_.at(current->second).heard.reset();
+    changes.push_back({{}, current->second});
+    current_.erase(current);
+  }
+  for (const std::string& name : std::exchange(absent_, names)) {
+    if (names.count(name) != 0) continue;
+    const auto last = last_of(name);
+    if (!last) continue;
+    current_[name] = *last;
+    changes.push_back({last, {}});
+  }
+  return changes;
 }
 
 bool PeerInstances::counts(Id id) const {

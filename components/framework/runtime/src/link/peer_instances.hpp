@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "foundation/time.hpp"
 
@@ -37,6 +39,9 @@ class PeerInstances {
   [[nodiscard]] Change on_departed(Id id, Time now);
   /// A sample of it was received.
   [[nodiscard]] Change on_received(Id id, Time now);
+  /// None of these names counts from now on, whatever is received; another set replaces it. Of a
+  /// name that is in it no more, the instance counts that was announced last.
+  [[nodiscard]] std::vector<Change> set_absent(const std::set<std::string>& names);
   [[nodiscard]] bool counts(Id id) const;
   /// Empty for one that is not known.
   [[nodiscard]] std::string name_of(Id id) const;
@@ -44,6 +49,7 @@ class PeerInstances {
  private:
   struct Instance {
     std::string name;
+    std::uint64_t order = 0;  ///< in which they were announced
     std::optional<Time> heard{};
     Duration gap{0};                  ///< between samples, smoothed
     std::optional<Time> displaced{};  ///< by another one, since then
@@ -53,9 +59,13 @@ class PeerInstances {
   static void hear(Instance& instance, Time now);
   [[nodiscard]] static bool may_take_over(Instance& candidate, const Instance& current, Time now);
   [[nodiscard]] Change replace(Id current, Id by, Time now);
+  /// The one of a name that was announced last.
+  [[nodiscard]] std::optional<Id> last_of(const std::string& name) const;
 
   std::map<Id, Instance> instances_;
   std::map<std::string, Id> current_;
+  std::set<std::string> absent_;
+  std::uint64_t announced_ = 0;
 };
 
 }  // namespace tocsin

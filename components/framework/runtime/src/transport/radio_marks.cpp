@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "transport/radio_marks.hpp"
+
+#include <utility>
+
 #include "runtime/middleware/rtps_message.hpp"
 
 namespace tocsin {
@@ -17,6 +20,19 @@ void RadioMarks::set(const Endpoint& endpoint, const Mark& mark) {
 void RadioMarks::forget(const Endpoint& endpoint) {
   const std::lock_guard<std::mutex> lock(mutex_);
   marks_.erase(endpoint);
+}
+
+void RadioMarks::mute(std::set<std::uint32_t> addresses) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  muted_ = std::move(addresses);
+}
+
+bool RadioMarks::withholds(const std::uint8_t* message, std::size_t size,
+                           std::uint32_t address) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (muted_.count(address) == 0) return false;
+  const auto endpoint = sender_in(message, size);
+  return endpoint && marks_.count(*endpoint) != 0;
 }
 
 RadioMarks::Way RadioMarks::mark(const std::uint8_t* message, std::size_t size, std::size_t sent) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <mutex>
+#include <set>
 
 #include "runtime/fast_dds/names.hpp"
 #include "runtime/middleware/link_bus.hpp"
@@ -33,6 +34,11 @@ class RadioMarks {
   };
   /// There is a second path.
   void add_path() { has_second_ = true; }
+  /// What endpoints of `set` send does not go to these addresses from now on, in host byte order.
+  void mute(std::set<std::uint32_t> addresses);
+  /// Whether the message does not go to an address for that.
+  [[nodiscard]] bool withholds(const std::uint8_t* message, std::size_t size,
+                               std::uint32_t address) const;
   /// Its bytes are counted by class and purpose.
   void set(const eprosima::fastdds::rtps::EntityId_t& endpoint, const Mark& mark);
   void forget(const eprosima::fastdds::rtps::EntityId_t& endpoint);
@@ -50,6 +56,7 @@ class RadioMarks {
   void note_unknown(std::uint64_t bytes, bool discovery);
   mutable std::mutex mutex_;
   std::map<Endpoint, Mark> marks_;
+  std::set<std::uint32_t> muted_;
   LinkPackets packets_;
   bool has_second_ = false;
 };

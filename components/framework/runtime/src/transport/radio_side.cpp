@@ -74,6 +74,7 @@ class RadioSender : public fast_dds::PacketSender {
     for (; next != last; ++next) {
       const rtps::Locator_t& to = *next;
       if (to.kind != LOCATOR_KIND_UDPv4 || rtps::IPLocator::isMulticast(to)) continue;
+      if (parts_.marks->withholds(bytes, size, ipv4_of(to))) continue;
       if (state && !passes(*state, {{bytes, bytes + size}, to})) continue;
       if (has_keys) repeat_keys({{bytes, bytes + size}, to});
       all = send_in_pieces(bytes, size, to, authentication) && all;

@@ -13,6 +13,7 @@ namespace {
 constexpr std::array<std::uint8_t, 3> layout_mark{'T', 'S', 1};  // 1: version of this layout
 constexpr std::uint8_t stands_bit = 1;
 constexpr std::uint8_t known_bit = 2;
+constexpr std::uint8_t site_bit = 4;  // a name follows
 
 void put(std::vector<std::uint8_t>& bytes, std::uint64_t number) {
   bytes.resize(bytes.size() + sizeof number);
@@ -93,8 +94,9 @@ class Reader {
 
 std::vector<std::uint8_t> to_bytes(const StopValue& value) {
   std::vector<std::uint8_t> bytes(layout_mark.begin(), layout_mark.end());
-  bytes.push_back(
-      static_cast<std::uint8_t>((value.stands ? stands_bit : 0) | (value.known ? known_bit : 0)));
+  bytes.push_back(static_cast<std::uint8_t>((value.stands ? stands_bit : 0) |
+                                            (value.known ? known_bit : 0) |
+                                            (value.site.empty() ? 0 : site_bit)));
   bytes.push_back(static_cast<std::uint8_t>(value.role));
   put(bytes, value.instance);
   put(bytes, value.number);
@@ -105,6 +107,7 @@ std::vector<std::uint8_t> to_bytes(const StopValue& value) {
   const std::size_t names = std::min(value.by.size(), StopValue::most_names);
   bytes.push_back(static_cast<std::uint8_t>(names));
   for (std::size_t i = 0; i < names; ++i) put(bytes, value.by[i]);
+  if (!value.site.empty()) put(bytes, value.site);
   return bytes;
 }
 
@@ -128,6 +131,7 @@ std::optional<std::pair<StopValue, std::size_t>> stop_value_in(const std::uint8_
   value.keys = reader.tokens();
   value.host = reader.name();
   value.by = reader.names();
+  if ((flags & site_bit) != 0) value.site = reader.name();
   if (!reader.good()) return std::nullopt;
   return std::pair(std::move(value), reader.read());
 }

@@ -196,5 +196,38 @@ TEST(TopicNames, AreThoseOfTheirNamespaceOnly) {
   EXPECT_FALSE(robot.of_people("rt/robot1"));
 }
 
+TEST_F(FlowTableTest, AnAbsentPeerIsLostUntilItIsWantedAgain) {
+  sut_.on_peer(guid(9, 0).guidPrefix, "north", true, now_);
+  sut_.on_link_end(guid(9, 4), writer("rt/goal"), true);
+  sut_.on_peer_listens(guid(9, 0).guidPrefix, 3, true);
+  (void)next<PeerFound>();
+  const auto flow = next<PeerFlow>();
+  (void)next<PeerReaderMatched>();
+  EXPECT_TRUE(sut_.on_received(guid(9, 4), now_));
+  sut_.set_absent({"north"});
+  EXPECT_EQ(next<PeerFlowGone>().flow, flow.flow);
+  EXPECT_EQ(next<PeerLost>().peer, flow.peer);
+  const auto held = next<PeerFlow>();
+  EXPECT_FALSE(sut_.pop());
+  EXPECT_FALSE(sut_.on_received(guid(9, 4), now_));
+  EXPECT_TRUE(sut_.take_superseded().empty()) << "discovery must not forget it";
+  sut_.set_absent({});
+  EXPECT_EQ(next<PeerFound>().name, "north");
+  EXPECT_EQ(next<PeerFlow>().flow, held.flow);
+  EXPECT_EQ(next<PeerReaderMatched>().flow, 3U);
+  EXPECT_TRUE(sut_.on_received(guid(9, 4), now_));
+}
+
+TEST_F(FlowTableTest, APeerThatComesWhileItIsAbsentIsFoundWhenItIsWanted) {
+  sut_.set_absent({"north"});
+  sut_.on_peer(guid(9, 0).guidPrefix, "north", true, now_);
+  sut_.on_link_end(guid(9, 4), writer("rt/goal"), true);
+  const auto held = next<PeerFlow>();
+  EXPECT_FALSE(sut_.pop());
+  sut_.set_absent({"south"});
+  EXPECT_EQ(next<PeerFound>().name, "north");
+  EXPECT_EQ(next<PeerFlow>().flow, held.flow);
+}
+
 }  // namespace
 }  // namespace tocsin

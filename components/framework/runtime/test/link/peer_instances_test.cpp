@@ -95,5 +95,36 @@ TEST_F(PeerInstancesTest, OtherNamesAreOtherPeers) {
   EXPECT_FALSE(sut.on_received(99, now).joined);
 }
 
+TEST_F(PeerInstancesTest, OfAnAbsentNameNoneCountsWhateverIsReceived) {
+  receive({first}, 1000 * ms);
+  const auto changes = sut.set_absent({"gcs", "other"});
+  ASSERT_EQ(changes.size(), 1U);
+  EXPECT_EQ(changes[0].left, first);
+  EXPECT_FALSE(changes[0].joined);
+  receive({first}, 1000 * ms);
+  EXPECT_FALSE(sut.on_announced(second, "gcs", now).joined);
+  receive({second}, 5000 * ms);
+  EXPECT_EQ(current(), 0U);
+  EXPECT_TRUE(sut.set_absent({"gcs"}).empty()) << "it is already";
+}
+
+TEST_F(PeerInstancesTest, AnAbsentNameReturnsAsItsLastInstance) {
+  receive({first}, 1000 * ms);
+  (void)sut.set_absent({"gcs"});
+  (void)sut.on_announced(second, "gcs", now);
+  const auto changes = sut.set_absent({});
+  ASSERT_EQ(changes.size(), 1U);
+  EXPECT_EQ(changes[0].joined, second);
+  EXPECT_EQ(current(), second);
+  EXPECT_TRUE(sut.on_departed(second, now).left);
+}
+
+TEST_F(PeerInstancesTest, OneThatDepartsWhileItIsAbsentDoesNotReturn) {
+  (void)sut.set_absent({"gcs"});
+  EXPECT_FALSE(sut.on_departed(first, now).left) << "it was lost before";
+  EXPECT_TRUE(sut.set_absent({}).empty());
+  EXPECT_EQ(sut.on_announced(second, "gcs", now).joined, second);
+}
+
 }  // namespace
 }  // namespace tocsin

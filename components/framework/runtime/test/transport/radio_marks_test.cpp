@@ -101,5 +101,17 @@ TEST(RadioMarks, DiscoveryGoesFirstAndIsCounted) {
   EXPECT_EQ(packets.bytes, announcement.size() + 2 * sample.size() + 3 * 28);
 }
 
+TEST(RadioMarks, WhatWritersSendDoesNotGoToMutedAddressesAndDiscoveryDoes) {
+  RadioMarks sut;
+  Bytes bytes = message_of_writer_7();
+  sut.mute({5});
+  EXPECT_FALSE(sut.withholds(bytes.data(), bytes.size(), 5)) << "of no writer that is known";
+  sut.set(writer_7(), {8, TrafficClass::low, {}});
+  EXPECT_TRUE(sut.withholds(bytes.data(), bytes.size(), 5));
+  EXPECT_FALSE(sut.withholds(bytes.data(), bytes.size(), 6));
+  sut.mute({});
+  EXPECT_FALSE(sut.withholds(bytes.data(), bytes.size(), 5));
+}
+
 }  // namespace
 }  // namespace tocsin

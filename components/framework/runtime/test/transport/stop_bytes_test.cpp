@@ -100,5 +100,18 @@ TEST(StopBytesTest, RandomBytesAreReadWithinTheirEnds) {
   }
 }
 
+TEST(StopBytesTest, AVehicleNamesItsSiteAndOneWithoutSitesSaysWhatItAlwaysSaid) {
+  StopValue value = station_value();
+  const auto without = to_bytes(value);
+  value.site = "south";
+  auto bytes = to_bytes(value);
+  EXPECT_EQ(bytes.size(), without.size() + 6);
+  EXPECT_EQ(stop_value_in(bytes.data(), bytes.size())->first, value);
+  EXPECT_FALSE(stop_value_in(bytes.data(), bytes.size() - 1));
+  bytes[without.size()] = 41;
+  bytes.resize(200);
+  EXPECT_FALSE(stop_value_in(bytes.data(), bytes.size())) << "longer than a name may be";
+}
+
 }  // namespace
 }  // namespace tocsin

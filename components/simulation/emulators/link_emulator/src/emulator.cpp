@@ -59,6 +59,11 @@ Emulator::Vehicle::Vehicle(const Options& options, std::size_t index)
   if (!stats_path.empty()) stats = std::make_unique<StatsFile>(stats_path);
 }
 
+Emulator::Station::Station(const Options& options, std::size_t index)
+    : end(options.stations[index]),
+      address(::inet_addr(end.address.c_str())),
+      tun(end, options.interface) {}
+
 Emulator::Emulator(const Options& options)
     : options_(options),
       signals_(stop_signals()),
@@ -66,7 +71,6 @@ Emulator::Emulator(const Options& options)
       timer_(::timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK | TFD_CLOEXEC)),
       start_(clock_now()),
       channel_(make_channel(options, start_)),
-      gcs_(options.gcs, options.interface),
       tick_at_(start_ + tick_period),
       report_at_(start_ + report_period) {
   for (std::size_t i = 0; i < options.vehicles.size(); ++i) {
@@ -78,7 +82,10 @@ Emulator::Emulator(const Options& options)
     }
     watch(vehicle.tun.fd());
   }
-  for (const int fd : {signals_.get(), timer_.get(), gcs_.fd()}) watch(fd);
+  for (std::size_t i = 0; i < options.stations.size(); ++i) {
+    watch(stations_.emplace_back(options, i).tun.fd());
+  }
+  for (const int fd : {signals_.get(), timer_.get()}) watch(fd);
 }
 
 void Emulator::watch(int fd) {
@@ -95,7 +102,7 @@ void Emulator::run() {
     if (clock_now() >= report_at_) report();
   }
   for (Vehicle& vehicle : vehicles_) vehicle.tun.remove_at_end();
-  gcs_.remove_at_end();
+  for (Station& station : stations_) station.tun.remove_at_end();
 }
 
 void Emulator::wait() {
@@ -112,7 +119,9 @@ void Emulator::wait() {
 
 void Emulator::handle(int fd) {
   if (fd == signals_.get()) running_ = false;
-  if (fd == gcs_.fd()) carry_from_station();
+  for (Station& station : stations_) {
+    if (fd == station.tun.fd()) carry_from_station(station);
+  }
   for (std::size_t i = 0; i < vehicles_.size(); ++i) {
     Vehicle& vehicle = vehicles_[i];
     if (fd == vehicle.tun.fd()) carry_from(i);
@@ -131,18 +140,36 @@ void Emulator::carry_from(std::size_t index) {
   }
 }
 
-void Emulator::carry_from_station() {
+void Emulator::carry_from_station(Station& station) {
   for (int i = 0; i < packets_per_wake_up; ++i) {
-    const Bytes packet = gcs_.read();
-    if (gcs_.gone()) forget(gcs_, options_.gcs);
+    const Bytes packet = station.tun.read();
+    if (station.tun.gone()) forget(station.tun, station.end);
     if (packet.empty()) return;
-    send_down(packet);
+    is_for_station(packet) ? send_on_wire(packet) : send_down(packet);
+  }
+}
+
+bool Emulator::is_for_station(const Bytes& packet) const {
+  const std::uint32_t destination = destination_of(packet);
+  return std::any_of(stations_.begin(), stations_.end(),
+                     [&](const Station& one) { return one.address == destination; });
+}
+
+/// With one station all is for it, as on a wire.
+void Emulator::send_on_wire(const Bytes& packet) {
+  const bool to_all =
+      stations_.size() == 1 || is_group_addressed(packet, options_.stations.front().prefix);
+  const std::uint32_t destination = destination_of(packet);
+  for (Station& station : stations_) {
+    if (!to_all && station.address != destination) continue;
+    if (!station.tun.write(packet)) ++counters_.write_errors;
   }
 }
 
 /// To a group it goes to each vehicle by itself. With one vehicle all is for it, as on a wire.
 void Emulator::send_down(const Bytes& packet) {
-  const bool to_all = vehicles_.size() == 1 || is_group_addressed(packet, options_.gcs.prefix);
+  const bool to_all =
+      vehicles_.size() == 1 || is_group_addressed(packet, options_.stations.front().prefix);
   const std::uint32_t destination = destination_of(packet);
   for (std::size_t i = 0; i < vehicles_.size(); ++i) {
     if (to_all || vehicles_[i].address == destination) push(radio::Direction::downlink, i, packet);
@@ -151,7 +178,7 @@ void Emulator::send_down(const Bytes& packet) {
 
 void Emulator::push(radio::Direction direction, std::size_t vehicle, Bytes packet) {
   const bool up = direction == radio::Direction::uplink;
-  const int prefix = up ? vehicles_[vehicle].end.prefix : options_.gcs.prefix;
+  const int prefix = up ? vehicles_[vehicle].end.prefix : options_.stations.front().prefix;
   const radio::Packet on_air{static_cast<int>(packet.size()), is_group_addressed(packet, prefix),
                              radio::access_category_of_dscp(dscp_of(packet)), vehicle};
   packets_[channel_.push(direction, on_air, clock_now())] = std::move(packet);
@@ -184,8 +211,8 @@ void Emulator::deliver(const radio::Outcome& outcome, const Bytes& packet) {
       up && std::any_of(vehicles_.begin(), vehicles_.end(),
                         [&](const Vehicle& one) { return one.address == destination; });
   if (is_for_vehicle) return send_down(packet);
-  Tun& to = up ? gcs_ : vehicles_[outcome.vehicle].tun;
-  if (!to.write(packet)) ++counters_.write_errors;
+  if (up) return send_on_wire(packet);
+  if (!vehicles_[outcome.vehicle].tun.write(packet)) ++counters_.write_errors;
 }
 
 void Emulator::obey(const std::string& datagram, std::size_t vehicle) {

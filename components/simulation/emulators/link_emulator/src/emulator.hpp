@@ -25,8 +25,8 @@ namespace tocsin::link {
 /// The channel that the files of the options describe. Throws ConfigError.
 [[nodiscard]] radio::RadioChannel make_channel(const Options& options, Time start);
 
-/// The program: an interface for each vehicle and one for the station, the channel between them,
-/// control, statistics; one thread.
+/// The program: an interface for each vehicle and each station, the channel between them, control,
+/// statistics; one thread. Stations are on one wire behind the access point.
 ///
 /// What may fail fails in the constructor (ConfigError, EnvironmentError). While running, a full
 /// disk or a refused packet is counted or shows as a missing line, and the link goes on. When
@@ -48,14 +48,23 @@ class Emulator {
     std::unique_ptr<StatsFile> stats = {};
     std::string wireless_path;
   };
+  struct Station {
+    Station(const Options& options, std::size_t index);
+    End end;
+    std::uint32_t address;  ///< in network byte order
+    Tun tun;
+  };
   using Bytes = std::vector<std::uint8_t>;
 
   void watch(int fd);
   void wait();
   void handle(int fd);
   void carry_from(std::size_t vehicle);
-  void carry_from_station();
-  /// A packet of the station, or one that the access point sends on.
+  void carry_from_station(Station& station);
+  /// To the stations that a packet is for.
+  void send_on_wire(const Bytes& packet);
+  [[nodiscard]] bool is_for_station(const Bytes& packet) const;
+  /// A packet of a station, or one that the access point sends on.
   void send_down(const Bytes& packet);
   void push(radio::Direction direction, std::size_t vehicle, Bytes packet);
   void forget(const Tun& tun, const End& end);
@@ -75,7 +84,7 @@ class Emulator {
   Time start_;
   radio::RadioChannel channel_;
   std::deque<Vehicle> vehicles_;
-  Tun gcs_;
+  std::deque<Station> stations_;
   std::unordered_map<radio::FrameId, Bytes> packets_;  // on their way
   EmulatorCounters counters_;
   Time tick_at_;

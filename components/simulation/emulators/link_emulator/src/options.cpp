@@ -22,6 +22,10 @@ namespace {
                     "uxv:/run/netns/uxv:10.77.0.1/24");
 }
 
+bool is_known(const std::string& name, const std::vector<End>& all) {
+  return std::any_of(all.begin(), all.end(), [&](const End& one) { return one.name == name; });
+}
+
 int prefix_of(const std::string& text, const std::string& whole) {
   const bool digits = !text.empty() && text.size() <= 2 &&
                       text.find_first_not_of("0123456789") == std::string::npos;
@@ -41,7 +45,7 @@ void check_path(const char* option, const std::string& path, const Options& opti
 }
 
 void check(const Options& options) {
-  if (options.vehicles.empty() || options.gcs.netns.empty()) {
+  if (options.vehicles.empty() || !is_known(to_string(Role::gcs), options.stations)) {
     throw ConfigError("--end: needs one for gcs and at least one for a vehicle");
   }
   if (options.interface.empty() || options.interface.size() >= IFNAMSIZ) {
@@ -52,28 +56,7 @@ void check(const Options& options) {
   check_path("--wireless", options.wireless_path, options);
 }
 
-void add_end(const End& end, const std::string& text, Options& options) {
-  const bool is_station = end.name == to_string(Role::gcs);
-  const auto has_name = [&](const End& other) { return other.name == end.name; };
-  const auto& all = options.vehicles;
-  if (is_station ? !options.gcs.netns.empty() : std::any_of(all.begin(), all.end(), has_name)) {
-    bad_end(text, end.name + " is given twice");
-  }
-  is_station ? void(options.gcs = end) : options.vehicles.push_back(end);
-}
-
-}  // namespace
-
-std::string path_for(const std::string& path, const End& vehicle) {
-  std::string made = path;
-  const std::string mark = placeholder;
-  for (auto at = made.find(mark); at != std::string::npos; at = made.find(mark)) {
-    made.replace(at, mark.size(), vehicle.name);
-  }
-  return made;
-}
-
-void parse_end(const std::string& text, Options& options) {
+End read_end(const std::string& text) {
   const auto first = text.find(':');
   const auto last = text.rfind(':');
   if (first == std::string::npos || first == last) bad_end(text, "has not three parts");
@@ -91,21 +74,54 @@ void parse_end(const std::string& text, Options& options) {
     bad_end(text, "'" + end.address + "' is not an IPv4 address");
   }
   end.prefix = prefix_of(network.substr(slash + 1), text);
-  add_end(end, text, options);
+  return end;
+}
+
+/// At `place` of the ends of one side.
+void add_end(const std::string& text, const End& end, std::vector<End>::iterator place,
+             std::vector<End>& side) {
+  if (is_known(end.name, side)) bad_end(text, end.name + " is given twice");
+  side.insert(place, end);
+}
+
+}  // namespace
+
+std::string path_for(const std::string& path, const End& vehicle) {
+  std::string made = path;
+  const std::string mark = placeholder;
+  for (auto at = made.find(mark); at != std::string::npos; at = made.find(mark)) {
+    made.replace(at, mark.size(), vehicle.name);
+  }
+  return made;
+}
+
+void parse_end(const std::string& text, Options& options) {
+  const End end = read_end(text);
+  if (end.name == to_string(Role::gcs)) {
+    add_end(text, end, options.stations.begin(), options.stations);
+  } else {
+    add_end(text, end, options.vehicles.end(), options.vehicles);
+  }
+}
+
+void parse_site(const std::string& text, Options& options) {
+  add_end(text, read_end(text), options.stations.end(), options.stations);
 }
 
 std::optional<Options> parse_options(int argc, const char* const* argv) {
   Options options;
   std::vector<std::string> ends;
+  std::vector<std::string> sites;
   CLI::App app(
-      "Carries IP packets between network namespaces, of vehicles and a station, over the modelled "
-      "radio.",
+      "Carries IP packets between network namespaces, of vehicles and of stations behind their "
+      "access point, over the modelled radio.",
       "link_emulator");
   app.add_option("--channel", options.channel_file, "channel file (YAML)")->required();
   app.add_option("--walls", options.walls_file, "walls file (YAML)");
   app.add_option("--seed", options.seed, "seed of shadowing, fading and losses")->check(is_seed());
   app.add_option("--end", ends, "NAME:NETNS:ADDRESS/PREFIX, once for gcs and once for each vehicle")
       ->required();
+  app.add_option("--site", sites, "NAME:NETNS:ADDRESS/PREFIX of each station beside gcs");
   app.add_option("--interface", options.interface, "name of the interface in all namespaces");
   app.add_option("--control", options.control_path,
                  "unix datagram socket to create; for several vehicles with {vehicle} in it");
@@ -122,6 +138,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
     throw ConfigError(usage_error(app, error));
   }
   for (const std::string& end : ends) parse_end(end, options);
+  for (const std::string& site : sites) parse_site(site, options);
   check(options);
   return options;
 }

@@ -10,7 +10,7 @@ namespace tocsin::link {
 
 /// One end of the link: where its interface goes and what it is called there.
 struct End {
-  std::string name;     ///< gcs, or that of a vehicle
+  std::string name;     ///< gcs, or that of a vehicle or of a further site
   std::string netns;    ///< path of a network namespace, for example /run/netns/uxv
   std::string address;  ///< IPv4, dotted
   int prefix = 24;
@@ -22,7 +22,7 @@ struct Options {
   std::string walls_file;  ///< empty: no walls
   std::uint64_t seed = 1;
   std::vector<End> vehicles;  ///< at least one
-  End gcs;
+  std::vector<End> stations;  ///< behind the access point; at least one, the first is gcs
   std::string interface = "wlan0";
   // Of each vehicle; `{vehicle}` in them stands for its name.
   std::string control_path;   ///< empty: no control socket
@@ -37,6 +37,8 @@ struct Options {
 /// `NAME:NETNS:ADDRESS/PREFIX` with NAME gcs or a vehicle's; the netns may contain colons. Throws
 /// ConfigError.
 void parse_end(const std::string& text, Options& options);
+/// The same of a station beside gcs, with any name. Throws ConfigError.
+void parse_site(const std::string& text, Options& options);
 
 /// Empty when only help was asked for, and printed. Throws ConfigError on bad usage.
 [[nodiscard]] std::optional<Options> parse_options(int argc, const char* const* argv);

@@ -186,19 +186,21 @@ bool delete_interface(const std::string& netns) {
   return ::waitpid(child, &status, 0) == child && status == 0;
 }
 
-Emulator::Emulator(const std::string& channel, Vehicles vehicles) : vehicles_(vehicles) {
+Emulator::Emulator(const std::string& channel, Third third) : third_(third) {
   write_file(file("channel.yaml"), channel);
   start();
 }
 
 std::vector<std::string> Emulator::words() const {
-  const bool two = vehicles_ == Vehicles::two;
+  const bool two = third_ == Third::vehicle;
   const std::string start = two ? "{vehicle}_" : "";
   std::vector<std::string> words{LINK_EMULATOR, "--channel", file("channel.yaml"), "--seed", "5"};
   std::vector<std::string> ends{"uxv:" + Namespaces::uxv() + ":10.77.0.1/24",
                                 "gcs:" + Namespaces::gcs() + ":10.77.0.2/24"};
-  if (two) ends.push_back("uxv2:" + Namespaces::second_uxv() + ":10.77.0.3/24");
+  const std::string third = Namespaces::second_uxv() + ":10.77.0.3/24";
+  if (two) ends.push_back("uxv2:" + third);
   for (const std::string& end : ends) words.insert(words.end(), {"--end", end});
+  if (third_ == Third::station) words.insert(words.end(), {"--site", "south:" + third});
   for (const char* const name : {"control", "stats", "wireless"}) {
     words.insert(words.end(), {"--" + std::string(name), file(start + name)});
   }
@@ -223,11 +225,11 @@ Emulator::~Emulator() {
 
 bool Emulator::ready() const {
   return within_five_seconds([this] {
-    const bool two = vehicles_ == Vehicles::two;
+    const bool two = third_ == Third::vehicle;
     return ::access(file(two ? "uxv2_wireless" : "wireless").c_str(), F_OK) == 0 &&
            interface_state(Namespaces::uxv()).carrier &&
            interface_state(Namespaces::gcs()).carrier &&
-           (!two || interface_state(Namespaces::second_uxv()).carrier);
+           (third_ == Third::none || interface_state(Namespaces::second_uxv()).carrier);
   });
 }
 

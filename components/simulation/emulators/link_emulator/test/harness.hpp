@@ -55,14 +55,14 @@ struct InterfaceState {
 /// Deletes wlan0, as `ip link del` does. False when that fails.
 [[nodiscard]] bool delete_interface(const std::string& netns);
 
-enum class Vehicles { one, two };
+enum class Third { none, vehicle, station };
 
 /// The program under test, in a directory of its own. With two vehicles, `uxv` and `uxv2` at
 /// 10.77.0.3, the files of each begin with its name.
 class Emulator {
  public:
   /// Starts it; `channel` is the text of the channel file. Does not wait.
-  explicit Emulator(const std::string& channel, Vehicles vehicles = Vehicles::one);
+  explicit Emulator(const std::string& channel, Third third = Third::none);
   ~Emulator();
   Emulator(const Emulator&) = delete;
   Emulator& operator=(const Emulator&) = delete;
@@ -83,7 +83,7 @@ class Emulator {
  private:
   [[nodiscard]] std::vector<std::string> words() const;
   const TemporaryFolder folder_;
-  const Vehicles vehicles_;
+  const Third third_;
   pid_t pid_ = -1;
 };
 

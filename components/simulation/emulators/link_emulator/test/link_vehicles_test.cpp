@@ -33,7 +33,7 @@ class LinkVehicles : public LinkEmulator {
 };
 
 TEST_F(LinkVehicles, EachHearsWhatIsForIt) {
-  Emulator sut(open_channel, Vehicles::two);
+  Emulator sut(open_channel, Third::vehicle);
   ASSERT_TRUE(sut.ready());
   UdpSocket first_to_station(Namespaces::uxv(), first, station);
   UdpSocket second_to_station(Namespaces::second_uxv(), second, station);
@@ -49,7 +49,7 @@ TEST_F(LinkVehicles, EachHearsWhatIsForIt) {
 }
 
 TEST_F(LinkVehicles, TheAccessPointSendsOnWhatIsForTheOther) {
-  Emulator sut(open_channel, Vehicles::two);
+  Emulator sut(open_channel, Third::vehicle);
   ASSERT_TRUE(sut.ready());
   UdpSocket one(Namespaces::uxv(), first, second);
   UdpSocket other(Namespaces::second_uxv(), second, first);
@@ -58,7 +58,7 @@ TEST_F(LinkVehicles, TheAccessPointSendsOnWhatIsForTheOther) {
 }
 
 TEST_F(LinkVehicles, EachHasASignalOfItsOwn) {
-  Emulator sut(open_channel, Vehicles::two);
+  Emulator sut(open_channel, Third::vehicle);
   ASSERT_TRUE(sut.ready());
   sut.command("pos 900000 0", "uxv2_control");
   UdpSocket one(Namespaces::uxv(), first, station);
@@ -74,6 +74,30 @@ TEST_F(LinkVehicles, EachHasASignalOfItsOwn) {
   EXPECT_THAT(text_of(sut.file("uxv2_stats")), HasSubstr("\"x_m\":900000.0"));
   UdpSocket to_first(Namespaces::gcs(), station, first);
   EXPECT_TRUE(passes(one, to_first));
+}
+
+/// The third end is a station.
+TEST_F(LinkVehicles, StationsAreOnOneWireAndEachHearsWhatIsForIt) {
+  Emulator sut(open_channel, Third::station);
+  ASSERT_TRUE(sut.ready());
+  {
+    UdpSocket south(Namespaces::second_uxv(), second, first);
+    UdpSocket vehicle(Namespaces::uxv(), first, second);
+    EXPECT_TRUE(passes(vehicle, south));
+    EXPECT_TRUE(passes(south, vehicle));
+  }
+  UdpSocket south_to_gcs(Namespaces::second_uxv(), second, station);
+  {
+    UdpSocket vehicle(Namespaces::uxv(), first, station);
+    UdpSocket gcs(Namespaces::gcs(), station, first);
+    EXPECT_TRUE(passes(vehicle, gcs));
+    EXPECT_FALSE(south_to_gcs.receive(0));
+    sut.command("set outage 60");
+    EXPECT_FALSE(passes(vehicle, gcs));
+  }
+  UdpSocket gcs_to_south(Namespaces::gcs(), station, second);
+  EXPECT_TRUE(passes(south_to_gcs, gcs_to_south)) << "by wire";
+  EXPECT_TRUE(passes(gcs_to_south, south_to_gcs));
 }
 
 }  // namespace

@@ -42,8 +42,8 @@ TEST(Options, ReadTheWholeCommandLine) {
   EXPECT_EQ(sut->vehicles[0].netns, "/proc/self/fd/7");
   EXPECT_EQ(sut->vehicles[0].address, "10.77.0.1");
   EXPECT_EQ(sut->vehicles[0].prefix, 24);
-  EXPECT_EQ(sut->gcs.netns, "/a:b");
-  EXPECT_EQ(sut->gcs.prefix, 16);
+  EXPECT_EQ(sut->stations.front().netns, "/a:b");
+  EXPECT_EQ(sut->stations.front().prefix, 16);
   EXPECT_EQ(sut->interface, "wlan0");
   EXPECT_EQ(sut->control_path, "s");
   EXPECT_EQ(sut->stats_path, "t");
@@ -66,6 +66,21 @@ TEST(Options, RejectEndsThatAreNoEnds) {
   EXPECT_THAT(end_error("gcs:/a:10.0.0.1/24"), HasSubstr("given twice"));
   EXPECT_THAT(end_error("uxv:/a:10.0.0.1"), HasSubstr("no prefix"));
   EXPECT_THAT(end_error("uxv:/a:10.0.0/24"), HasSubstr("'10.0.0' is not an IPv4 address"));
+}
+
+TEST(Options, TakeStationsBesideTheFirst) {
+  const std::vector<const char*> ends{"--channel", "c",
+                                      "--end",     "uxv:/a:10.0.0.1/24",
+                                      "--site",    "south:/c:10.0.0.3/24",
+                                      "--end",     "gcs:/b:10.0.0.2/24"};
+  const auto sut = parse(ends);
+  ASSERT_TRUE(sut);
+  ASSERT_EQ(sut->stations.size(), 2U);
+  EXPECT_EQ(sut->stations[0].name, "gcs");
+  EXPECT_EQ(sut->stations[1].name, "south");
+  EXPECT_THAT(
+      error_of({"--channel", "c", "--end", "uxv:/a:10.0.0.1/24", "--site", "south:/c:10.0.0.3/24"}),
+      HasSubstr("needs one for gcs"));
 }
 
 TEST(Options, TakeAnyNumberOfVehicles) {

@@ -40,8 +40,8 @@ std::string store_folder(const deployment::RunningHost& host, const std::string&
       if (folder.IsDefined() && !folder.Scalar().empty()) return folder.Scalar();
     }
   }
-  return part_of(host.deployment, vehicle.empty() ? host.host : vehicle).run_dir + "/" +
-         to_string(host.itself().role) + "/store";
+  const auto part = part_of(host.deployment, vehicle.empty() ? host.host : vehicle);
+  return folder_of(part, host.itself()) + "/" + to_string(host.itself().role) + "/store";
 }
 
 std::vector<std::string> folders_in(const std::string& store) {

@@ -37,11 +37,12 @@ struct StopValue {
   std::vector<StopToken> locks{};  ///< at most most_tokens
   std::vector<StopToken> keys{};   ///< at most most_tokens
   std::vector<std::string> by{};   ///< who presses; at most most_names
+  std::string site{};  ///< a vehicle that has several: the host of the one it speaks with
 };
 [[nodiscard]] inline bool operator==(const StopValue& one, const StopValue& other) {
   const auto all = [](const StopValue& value) {
     return std::tie(value.role, value.host, value.instance, value.number, value.known, value.stands,
-                    value.since_wall_ns, value.locks, value.keys, value.by);
+                    value.since_wall_ns, value.locks, value.keys, value.by, value.site);
   };
   return all(one) == all(other);
 }

@@ -40,6 +40,9 @@ struct BusOptions {
   /// Of a router: names of the hosts that its link is to, on a secured link of their identities.
   /// Nothing is taken of others. Empty: whoever comes.
   std::vector<std::string> peer_names = {};
+  /// Of a vehicle's router that has several sites: their names, the preferred one first, in the
+  /// order of link_peers. It speaks with one at a time.
+  std::vector<std::string> sites = {};
   /// Of a router: namespace of the topics that it takes from the host and gives there, where that
   /// is another than that of its own.
   std::optional<std::string> routed_namespace = {};

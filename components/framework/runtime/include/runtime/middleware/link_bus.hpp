@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <tuple>
 #include <variant>
@@ -184,6 +185,13 @@ class LinkBus {
   /// (TrafficRules), which begin as not wanted: when they become so, the last samples of states
   /// come. The same again changes nothing.
   virtual void want(FlowId /*host_flow*/, bool /*wanted*/) {}
+  /// By which name the peers know this router.
+  [[nodiscard]] virtual std::string host() const { return ""; }
+  /// Of a vehicle with several sites: the names of their hosts, the preferred one first.
+  [[nodiscard]] virtual std::vector<std::string> sites() const { return {}; }
+  /// Peers of these hosts are lost from now on, although they are received: they get discovery and
+  /// the emergency stop alone. Another set replaces it; who is in it no more is found at once.
+  virtual void set_absent(const std::set<std::string>& /*hosts*/) {}
   /// [1, most_paths] Paths over the link.
   [[nodiscard]] virtual PathIndex paths() const { return 1; }
   /// Makes a writer on each path of the link, whose packets bear the DSCP of the class.

@@ -40,6 +40,11 @@ class Relay {
   }
   /// What is sent from now on goes by this path.
   void take_path(PathIndex path) { path_ = path; }
+  /// Peers of these hosts are lost from now on.
+  void set_absent(const std::set<std::string>& hosts) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    absent_ = hosts;
+  }
   /// Says it to the peers of the link from now on.
   void say_stop(const StopValue& value) {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -77,6 +82,7 @@ class Relay {
         const std::lock_guard<std::mutex> lock(mutex_);
         packets_ = bus->packets();
         if (stop_) bus->say_stop(*stop_);
+        if (absent_) bus->set_absent(*std::exchange(absent_, std::nullopt));
       }
       for (const auto& one : bus->take_stop_news().values) stop_number_ = one.value.number;
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -165,6 +171,7 @@ class Relay {
   std::vector<FlowId> heard_;
   LinkPackets packets_;
   std::optional<StopValue> stop_;
+  std::optional<std::set<std::string>> absent_;
   std::atomic<std::uint64_t> stop_number_{0};
   std::atomic<PathIndex> path_{0};
   std::atomic<int> lost_peers_{0};

@@ -24,7 +24,8 @@ class StopKeeper {
     void visit(Visitor& v) {
       v("repeat_s", repeat_s, {0.05, 10}, "[s] between repetitions of a stop that stands");
       v("only_station", only_station,
-        "a stop of a station that the vehicle reports is this one's; false behind a relay");
+        "a stop of a station that the vehicle reports is this one's; false behind a relay, and at "
+        "one of several sites");
     }
   };
   static constexpr Duration release_said_for = std::chrono::seconds(2);

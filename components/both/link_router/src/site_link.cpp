@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "site_link.hpp"
+
+#include <set>
+
+#include "foundation/printable.hpp"
+
+namespace tocsin {
+namespace {
+
+/// [us] By which a value is overtaken by another one on the way to two sockets.
+constexpr std::uint64_t most_disorder_us = 10'000'000;
+/// Of a link to one there are more by forgery alone.
+constexpr std::size_t most_hosts = 64;
+
+/// On a secured link a value says of its own host alone.
+bool is_honest(const ReceivedStop& said) {
+  return said.identity.empty() || said.identity == "CN=/" + said.value.host;
+}
+
+}  // namespace
+
+SiteLink::SiteLink(LinkBus& link, router::LinkReceiver& receiver, Role role, Logger& log)
+    : link_(link), receiver_(receiver), log_(log), role_(role), choice_(link.sites()) {
+  link_.set_absent(choice_.others());
+}
+
+void SiteLink::take(const StopNews& news, Time now) {
+  for (const ReceivedStop& said : news.values) {
+    if (said.value.role == role_ || !is_honest(said)) continue;
+    if (is_left() || !chosen().empty()) {
+      receiver_.on_heard(said.value.host, Time(std::chrono::microseconds(said.value.number)),
+                         said.received);
+    }
+    if (role_ == Role::uxv) {
+      choice_.on_heard(said.value.host, said.received);
+    } else if (is_newest(said.value)) {
+      follow_vehicle(said);
+    }
+  }
+  if (role_ == Role::uxv) follow_choice(now);
+}
+
+void SiteLink::follow_choice(Time now) {
+  if (!choice_.follow(now)) return;
+  log_.warn("{} is the site from now on", chosen());
+  link_.set_absent(choice_.others());
+}
+
+/// A number that is far from the last one is of a clock that was set, or forged: the next one
+/// counts again.
+bool SiteLink::is_newest(const StopValue& said) {
+  if (numbers_.size() >= most_hosts && numbers_.count(said.host) == 0) numbers_.clear();
+  std::uint64_t& last = numbers_[said.host];
+  const bool is_late = said.number < last && last - said.number < most_disorder_us;
+  if (!is_late) last = said.number;
+  return !is_late;
+}
+
+void SiteLink::follow_vehicle(const ReceivedStop& said) {
+  const std::string& site = said.value.site;
+  const std::string elsewhere = site == link_.host() ? "" : site;
+  if (elsewhere == left_for_) return;
+  left_for_ = elsewhere;
+  const std::string vehicle = printable(said.value.host);
+  if (is_left()) {
+    log_.warn("{} speaks with another site, {}", vehicle, printable(site));
+    link_.set_absent({said.value.host});
+  } else {
+    log_.info("{} speaks with this site again", vehicle);
+    link_.set_absent({});
+  }
+}
+
+}  // namespace tocsin

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "foundation/role.hpp"
+#include "link_router/link_receiver.hpp"
+#include "link_router/site_choice.hpp"
+#include "runtime/logger.hpp"
+#include "runtime/middleware/link_bus.hpp"
+
+namespace tocsin {
+
+/// Which peers count, where a vehicle has several sites. It hears all of them, and chooses; a site
+/// hears from the vehicle which one that is, and lets go of a vehicle that speaks with another.
+class SiteLink {
+ public:
+  /// All outlive it.
+  SiteLink(LinkBus& link, router::LinkReceiver& receiver, Role role, Logger& log);
+  /// What was received of the emergency stop tells who is heard, and how old what it says is.
+  void take(const StopNews& news, Time now);
+  /// Of this host.
+  [[nodiscard]] Role role() const { return role_; }
+  /// The host of the site that this vehicle speaks with; empty when it has no choice.
+  [[nodiscard]] std::string chosen() const { return choice_.chosen(); }
+  /// Whether this is a site, and its vehicle speaks with another one.
+  [[nodiscard]] bool is_left() const { return !left_for_.empty(); }
+
+ private:
+  void follow_choice(Time now);
+  /// Values come out of order, since there are several sockets.
+  [[nodiscard]] bool is_newest(const StopValue& said);
+  void follow_vehicle(const ReceivedStop& said);
+
+  LinkBus& link_;
+  router::LinkReceiver& receiver_;
+  Logger& log_;
+  const Role role_;
+  router::SiteChoice choice_;
+  std::map<std::string, std::uint64_t> numbers_;  ///< of the last value that counts, by its host
+  std::string left_for_;  ///< the site that the vehicle speaks with in place of this one
+};
+
+}  // namespace tocsin
