@@ -30,9 +30,10 @@ constexpr int domain = 40;  // of bringup/mission.yaml
 using Arrivals = std::map<double, double>;
 using Streams = std::map<std::string, Arrivals>;
 
-/// Not written again by itself: a line of a log, a stop that was released, what it changed.
+/// Not written again by itself: a line of a log, a stop that was released, what it changed, a goal
+/// that the vehicle has.
 bool is_of_events(const std::string& stream) {
-  for (const char* topic : {"rosout ", "emergency_stop ", "safety_status "}) {
+  for (const char* topic : {"rosout ", "emergency_stop ", "safety_status ", "goal "}) {
     if (stream.rfind(topic, 0) == 0) return true;
   }
   return false;

@@ -34,7 +34,7 @@ std::size_t SiteChoice::best(Time now) const {
   for (std::size_t i = 0; i < sites_.size(); ++i) {
     if (i == chosen_ && !is_lost) break;
     if (!is_heard(sites_[i], now)) continue;
-    if (is_lost || now - sites_[i].since >= back_after) return i;
+    if (now - sites_[i].since >= (is_lost ? heard_for : back_after)) return i;
   }
   return chosen_;
 }

@@ -27,14 +27,14 @@ SiteLink::SiteLink(LinkBus& link, router::LinkReceiver& receiver, Role role, Log
 
 void SiteLink::take(const StopNews& news, Time now) {
   for (const ReceivedStop& said : news.values) {
-    if (said.value.role == role_ || !is_honest(said)) continue;
+    if (said.value.role == role_ || !is_honest(said) || !is_newest(said)) continue;
     if (is_left() || !chosen().empty()) {
       receiver_.on_heard(said.value.host, Time(std::chrono::microseconds(said.value.number)),
                          said.received);
     }
     if (role_ == Role::uxv) {
       choice_.on_heard(said.value.host, said.received);
-    } else if (is_newest(said.value)) {
+    } else {
       follow_vehicle(said);
     }
   }
@@ -47,14 +47,16 @@ void SiteLink::follow_choice(Time now) {
   link_.set_absent(choice_.others());
 }
 
-/// A number that is far from the last one is of a clock that was set, or forged: the next one
-/// counts again.
-bool SiteLink::is_newest(const StopValue& said) {
-  if (numbers_.size() >= most_hosts && numbers_.count(said.host) == 0) numbers_.clear();
-  std::uint64_t& last = numbers_[said.host];
-  const bool is_late = said.number < last && last - said.number < most_disorder_us;
-  if (!is_late) last = said.number;
-  return !is_late;
+/// On a plain link a number that is far below the last one is of a clock that was set, or the last
+/// one was forged: the next one counts again. On a secured link it is a recording.
+bool SiteLink::is_newest(const ReceivedStop& said) {
+  const StopValue& value = said.value;
+  if (numbers_.size() >= most_hosts && numbers_.count(value.host) == 0) numbers_.clear();
+  std::uint64_t& last = numbers_[value.host];
+  const bool is_recorded = !said.identity.empty() || last - value.number < most_disorder_us;
+  if (value.number <= last && is_recorded) return false;
+  last = value.number;
+  return true;
 }
 
 void SiteLink::follow_vehicle(const ReceivedStop& said) {

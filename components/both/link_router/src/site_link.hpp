@@ -31,7 +31,7 @@ class SiteLink {
  private:
   void follow_choice(Time now);
   /// Values come out of order, since there are several sockets.
-  [[nodiscard]] bool is_newest(const StopValue& said);
+  [[nodiscard]] bool is_newest(const ReceivedStop& said);
   void follow_vehicle(const ReceivedStop& said);
 
   LinkBus& link_;

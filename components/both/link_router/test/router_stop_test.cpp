@@ -278,13 +278,36 @@ TEST_F(RouterStopTest, OnASecuredLinkAVehicleSaysOfItselfAloneWhereItIs) {
   StopValue vehicle;
   vehicle.role = Role::uxv;
   vehicle.host = "uxv1";
-  vehicle.site = "south";
-  script_.stop_news.values.push_back({vehicle, 7, "CN=/uxv2", host_->bus.now()});
-  run(0.2);
+  const auto say = [&](const char* identity, const char* site, std::uint64_t number) {
+    vehicle.site = site;
+    vehicle.number = number;
+    script_.stop_news.values.push_back({vehicle, 7, identity, host_->bus.now()});
+    run(0.2);
+  };
+  say("CN=/uxv2", "south", 100'000'000);
   EXPECT_THAT(script_.absent, IsEmpty());
-  script_.stop_news.values.push_back({vehicle, 7, "CN=/uxv1", host_->bus.now()});
-  run(0.2);
+  say("CN=/uxv1", "south", 60'000'000);
   EXPECT_THAT(script_.absent, ElementsAre("uxv1"));
+  say("CN=/uxv1", "here", 30'000'000);
+  EXPECT_THAT(script_.absent, ElementsAre("uxv1")) << "a recording";
+}
+
+TEST_F(RouterStopTest, OnASecuredLinkARecordedValueOfASiteIsNoSignOfIt) {
+  script_.sites = {"north", "south"};
+  start(Role::uxv);
+  StopValue value = station(false);
+  const auto say = [&](const std::string& site, std::uint64_t number) {
+    value.host = site;
+    value.number = number;
+    script_.stop_news.values.push_back({value, 7, "CN=/" + site, host_->bus.now()});
+  };
+  say("north", 9'000'000);
+  for (std::uint64_t i = 0; i < 12; ++i) {
+    say("north", 1'000'000 + i);
+    say("south", 1'000'000 + i);
+    run(0.1);
+  }
+  EXPECT_THAT(script_.absent, ElementsAre("north"));
 }
 
 TEST_F(RouterStopTest, AValueThatIsOvertakenSaysNothingOfWhereAVehicleIs) {

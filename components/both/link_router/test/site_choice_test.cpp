@@ -47,8 +47,16 @@ TEST_F(SiteChoiceTest, StaysWhereNobodyElseIsHeard) {
   (void)hear({"north"}, seconds(1));
   EXPECT_EQ(hear({}, seconds(60)), 0);
   EXPECT_EQ(sut_.chosen(), "north");
-  EXPECT_EQ(hear({"middle"}, milliseconds(100)), 1) << "then it takes who comes";
+  EXPECT_EQ(hear({"middle"}, milliseconds(300)), 0);
+  EXPECT_EQ(hear({"middle"}, milliseconds(100)), 1) << "then it takes who is there";
   EXPECT_EQ(sut_.chosen(), "middle");
+}
+
+TEST_F(SiteChoiceTest, AnOutageOfTheRadioChangesNothingWhoeverIsHeardFirstAfterIt) {
+  (void)hear({"north", "south"}, seconds(1));
+  EXPECT_EQ(hear({}, seconds(10)), 0);
+  EXPECT_EQ(hear({"south"}, milliseconds(200)), 0);
+  EXPECT_EQ(hear({"north", "south"}, seconds(10)), 0);
 }
 
 TEST_F(SiteChoiceTest, ReturnsToAPreferredOneThatIsHeardForFiveSecondsWithoutAGap) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "deployment/deployment.hpp"
 
+#include <yaml-cpp/yaml.h>
+
 #include "fixture.hpp"
 
 namespace tocsin::deployment {
@@ -74,7 +76,8 @@ TEST_F(DeploymentTest, RejectsUnknownKeysEverywhereWithTheirLine) {
        {"role: uxv", "role: uxv\n    rool: 1",
         "hosts.uxv.rool: unknown key; allowed: [role, address, peers"},
        {"role: uxv", "rol: uxv",
-        "hosts.uxv.rol: unknown key; allowed: [role, address, peers, second, enclave, domain, "
+        "hosts.uxv.rol: unknown key; allowed: [role, address, peers, sites, second, enclave, "
+        "domain, "
         "programs, "
         "containers]; did you mean 'role'? ("},
        {"terminal: true", "terminl: true",
@@ -231,7 +234,7 @@ TEST_F(SitesTest, AreNamedWhereTheFileDoesNotHaveTheirHosts) {
   };
   EXPECT_THAT(load(named("[a, b]")).hosts[0].sites, ElementsAre("a", "b"));
   EXPECT_THAT(error_of(named("[a]")), HasSubstr("1 names must be as many as the host's peers"));
-  EXPECT_THAT(error_of(named("[a, a]")), HasSubstr("'a'"));
+  EXPECT_THAT(error_of(named("[a, a]")), HasSubstr("a: site of this name twice"));
   EXPECT_THAT(error_of(named("[a, b/c]")), HasSubstr("b/c"));
 }
 

@@ -288,25 +288,28 @@ std::optional<std::uint64_t> SimLinkBus::send(FlowId flow, const CarriedSample& 
         {*cargo.from, network_.core.now, number, cargo.written, bytes_sent});
   }
   const auto packets = packets_of(sending, sample, piece);
-  const std::uint8_t dscp = host_.rules().dscp(sending.traffic_class);
   const auto stop = packets.size() == 1 ? rider() : nullptr;
   if (stop) stop_sent_[path] = network_.core.now;
   const Overheard what{life_, wire_of(flow, path), number, sample, piece, stop};
   if (network_.on_air) network_.on_air(what);
   for (const auto& peer : peers_) {
-    if (absent_.count(peer.first) != 0) continue;
-    const auto transmission =
-        std::make_shared<Transmission>(network_, what, peer.second, packets.size());
-    for (std::size_t i = 0; i < packets.size(); ++i) {
-      const std::size_t riding = stop ? stop_bytes(*stop) : 0;
-      radio(path).send({host_.direction(), dscp, network_.vehicle}, packets[i] + riding,
-                       transmission, i);
-      packets_.add(sending.traffic_class, sending.purpose, packets[i]);
-      note_bytes(path, packets[i] + riding);
-      if (stop) packets_.add_stop(riding, false);
-    }
+    if (absent_.count(peer.first) == 0) send(sending, what, peer.second, path);
   }
   return number;
+}
+
+void SimLinkBus::send(const Sending& sending, const Overheard& what, PeerId to, PathIndex path) {
+  const auto packets = packets_of(sending, what.sample, what.piece);
+  const auto transmission = std::make_shared<Transmission>(network_, what, to, packets.size());
+  const std::uint8_t dscp = host_.rules().dscp(sending.traffic_class);
+  const std::size_t riding = what.stop ? stop_bytes(*what.stop) : 0;
+  for (std::size_t i = 0; i < packets.size(); ++i) {
+    radio(path).send({host_.direction(), dscp, network_.vehicle}, packets[i] + riding, transmission,
+                     i);
+    packets_.add(sending.traffic_class, sending.purpose, packets[i]);
+    note_bytes(path, packets[i] + riding);
+    if (what.stop) packets_.add_stop(riding, false);
+  }
 }
 
 void SimLinkBus::on_arrived(const Overheard& what) {

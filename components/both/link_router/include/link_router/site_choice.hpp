@@ -12,13 +12,16 @@
 
 namespace tocsin::router {
 
-/// With which of its sites a vehicle speaks: the first of them until it is silent and another one
-/// is heard; back to one that comes before it when that was heard for long without a gap. A silence
-/// while this process was frozen does not count. Pure; `now` must not decrease.
+/// With which of its sites a vehicle speaks: the first of them until it is silent while another one
+/// is heard; back to one that comes before it when that was heard for long without a gap. So an
+/// outage of the radio, in which all are silent, changes nothing, nor does a freeze of this
+/// process. Pure; `now` must not decrease.
 class SiteChoice {
  public:
   /// A site is silent when nothing was heard of it for so long: five values of the emergency stop.
   static constexpr Duration silent_after = std::chrono::milliseconds(500);
+  /// So long is another one heard then, which takes over.
+  static constexpr Duration heard_for = std::chrono::milliseconds(300);
   static constexpr Duration back_after = std::chrono::seconds(5);
 
   /// By preference; no two are equal. Fewer than two: there is nothing to choose.

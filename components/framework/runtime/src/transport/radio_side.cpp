@@ -73,13 +73,17 @@ class RadioSender : public fast_dds::PacketSender {
     bool all = true;
     for (; next != last; ++next) {
       const rtps::Locator_t& to = *next;
-      if (to.kind != LOCATOR_KIND_UDPv4 || rtps::IPLocator::isMulticast(to)) continue;
-      if (parts_.marks->withholds(bytes, size, ipv4_of(to))) continue;
+      if (!goes_to(to, bytes, size)) continue;
       if (state && !passes(*state, {{bytes, bytes + size}, to})) continue;
       if (has_keys) repeat_keys({{bytes, bytes + size}, to});
       all = send_in_pieces(bytes, size, to, authentication) && all;
     }
     return all;
+  }
+  [[nodiscard]] bool goes_to(const rtps::Locator_t& to, const std::uint8_t* bytes,
+                             std::size_t size) const {
+    return to.kind == LOCATOR_KIND_UDPv4 && !rtps::IPLocator::isMulticast(to) &&
+           !parts_.marks->withholds(bytes, size, ipv4_of(to));
   }
   bool send_in_pieces(const rtps::octet* bytes, std::size_t size, const rtps::Locator_t& to,
                       const std::optional<Authentication>& authentication) {
