@@ -21,8 +21,8 @@ struct ReportOutputs {
 };
 
 /// What a router reports on its host: the state of the link, the traffic of each topic, and the
-/// budgets of adaptive topics. A site whose vehicle speaks with another one reports nothing: that
-/// one does, to whom both are relayed.
+/// budgets of adaptive topics. Nothing at a site whose vehicle speaks with another one, which
+/// reports its own: a second station may have both.
 class ReportLink final : public LinkService {
  public:
   using Services = std::vector<std::unique_ptr<LinkService>>;

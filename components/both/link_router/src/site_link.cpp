@@ -22,7 +22,7 @@ bool is_honest(const ReceivedStop& said) {
 
 SiteLink::SiteLink(LinkBus& link, router::LinkReceiver& receiver, Role role, Logger& log)
     : link_(link), receiver_(receiver), log_(log), role_(role), choice_(link.sites()) {
-  link_.set_absent(choice_.others());
+  if (!chosen().empty()) link_.set_absent(choice_.others());
 }
 
 void SiteLink::take(const StopNews& news, Time now) {
