@@ -19,7 +19,7 @@ class SiteLink {
  public:
   /// All outlive it.
   SiteLink(LinkBus& link, router::LinkReceiver& receiver, Role role, Logger& log);
-  /// What was received of the emergency stop tells who is heard, and how old what it says is.
+  /// What was received of the emergency stop tells who is there, and how old what it says is.
   void take(const StopNews& news, Time now);
   /// Of this host.
   [[nodiscard]] Role role() const { return role_; }

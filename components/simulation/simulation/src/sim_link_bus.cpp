@@ -293,13 +293,13 @@ std::optional<std::uint64_t> SimLinkBus::send(FlowId flow, const CarriedSample& 
   const Overheard what{life_, wire_of(flow, path), number, sample, piece, stop};
   if (network_.on_air) network_.on_air(what);
   for (const auto& peer : peers_) {
-    if (absent_.count(peer.first) == 0) send(sending, what, peer.second, path);
+    if (absent_.count(peer.first) == 0) send(sending, what, packets, peer.second, path);
   }
   return number;
 }
 
-void SimLinkBus::send(const Sending& sending, const Overheard& what, PeerId to, PathIndex path) {
-  const auto packets = packets_of(sending, what.sample, what.piece);
+void SimLinkBus::send(const Sending& sending, const Overheard& what,
+                      const std::vector<std::size_t>& packets, PeerId to, PathIndex path) {
   const auto transmission = std::make_shared<Transmission>(network_, what, to, packets.size());
   const std::uint8_t dscp = host_.rules().dscp(sending.traffic_class);
   const std::size_t riding = what.stop ? stop_bytes(*what.stop) : 0;

@@ -124,7 +124,8 @@ class SimLinkBus final : public LinkBus {
   void send_stop(Duration period);
   void send_stop(PathIndex path, const std::shared_ptr<const StopValue>& stop);
   void repeat_stop();
-  void send(const Sending& sending, const Overheard& what, PeerId to, PathIndex path);
+  void send(const Sending& sending, const Overheard& what, const std::vector<std::size_t>& packets,
+            PeerId to, PathIndex path);
   /// Whether it is on the other side of the radio.
   [[nodiscard]] bool is_peer(const SimLinkBus& other) const {
     return other.host_.direction() != host_.direction();

@@ -13,8 +13,8 @@
 namespace tocsin::router {
 
 /// With which of its sites a vehicle speaks: the first of them until it is silent while another one
-/// is heard; back to one that comes before it when that was heard for long without a gap. So an
-/// outage of the radio, in which all are silent, changes nothing, nor does a freeze of this
+/// is received; back to one that comes before it when that was received for long without a gap. So
+/// an outage of the radio, in which all are silent, changes nothing, nor does a freeze of this
 /// process. Pure; `now` must not decrease.
 class SiteChoice {
  public:
