@@ -3,8 +3,8 @@
 
 A program is the same while its own bytes, those of our libraries that it loads, of the other
 programs of its package, of the package's pages, and of whatever is neither page nor C++ source in
-the repository are the same, and the environment's variables for it. One that failed is not
-remembered.
+the repository are the same, and the environment's variables for it; a system test, while all that
+is installed is the same, too. One that failed is not remembered.
 """
 import functools
 import hashlib
@@ -66,13 +66,19 @@ def loaded_by(program):
     return sorted(pathlib.Path(path) for path in paths if path.startswith(str(ROOT)))
 
 
-def digest_of_test(package, program, tests):
-    """What decides what a test program of a package's build folder does; `tests` are all test programs."""
+@functools.lru_cache(maxsize=None)
+def installed_digest():
+    return digest_of_all(sorted(file for file in (ROOT / "install").rglob("*") if file.is_file()))
+
+
+def digest_of_test(package, program, tests, system):
+    """What decides what a test program of a package's build folder does; `tests` are all test programs,
+    `system`: whether it runs what is installed."""
     others = sorted(file for place in ("*", "*/*") for file in package.resolve().glob(place)
                     if is_program(file) and file not in tests)
     read = [program, *others, *loaded_by(program)]
     facts = [repository_digest(), pages_digest(package), *(f"{file.name} {digest_of(file)}" for file in read),
-             *(f"{name}={os.environ.get(name)}" for name in VARIABLES)]
+             *([installed_digest()] if system else []), *(f"{name}={os.environ.get(name)}" for name in VARIABLES)]
     return hashlib.sha256("\n".join(facts).encode()).hexdigest()
 
 

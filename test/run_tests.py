@@ -136,7 +136,7 @@ def run_changed(tests, file):
     """Runs those that are not known to be good as they are."""
     memory = Memory(file)
     programs = {test.program for test in tests}
-    digests = {test: digest_of_test(test.package, test.program, programs)
+    digests = {test: digest_of_test(test.package, test.program, programs, test.system)
                for test in tests if test.program}
     known = {test: memory.cases(name_of(test), digest) for test, digest in digests.items()}
     known = {test: cases for test, cases in known.items() if cases is not None}

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "foundation/printable.hpp"
 #include "router_messages.hpp"
 #include "runtime/middleware/ros_stamp.hpp"
 
@@ -23,7 +24,9 @@ ReportLink::ReportLink(Component& owner, ReportOutputs& outputs, const LinkParts
 
 void ReportLink::finish(Instant at) {
   if (at.now >= next_budget_) report_budgets(at);
-  if (at.now < next_report_) return;
+  const bool is_due = at.now >= next_report_;
+  if (is_due || sites_.spoken_with(at.now) != told_site_) report_site(at);
+  if (!is_due) return;
   next_report_ = owner_.next_instant(report_period, at.now);
   if (sites_.is_left()) return;
   report_link(at);
@@ -67,6 +70,14 @@ void ReportLink::report_link(Instant at) {
   report.role(to_string(sites_.role()));
   for (const auto& service : services_) service->add_to(report, at.now);
   write(outputs_.link_state, std::move(report));
+}
+
+void ReportLink::report_site(Instant at) {
+  told_site_ = sites_.spoken_with(at.now);
+  if (told_site_.empty() || (sites_.role() == Role::gcs && !sites_.is_left())) return;
+  topic::LinkSite::Message message;
+  message.data(printable(told_site_));
+  write(outputs_.site, std::move(message));
 }
 
 void ReportLink::report_traffic(Instant at) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "link_service.hpp"
@@ -14,15 +15,17 @@ namespace tocsin {
 
 /// Made before the link is opened, so that the reports are flows of the host from its start.
 struct ReportOutputs {
-  explicit ReportOutputs(Component& owner) : link_state(owner), budget(owner), traffic(owner) {}
+  explicit ReportOutputs(Component& owner)
+      : link_state(owner), budget(owner), traffic(owner), site(owner) {}
   Output<topic::LinkState> link_state;
   Output<topic::LinkBudget> budget;
   Output<topic::TrafficReport> traffic;
+  Output<topic::LinkSite> site;
 };
 
 /// What a router reports on its host: the state of the link, the traffic of each topic, and the
-/// budgets of adaptive topics. Nothing at a site whose vehicle speaks with another one, which
-/// reports its own: a second station may have both.
+/// budgets of adaptive topics. A site whose vehicle speaks with another one reports that alone: the
+/// other one has its own reports, and a second station may have both.
 class ReportLink final : public LinkService {
  public:
   using Services = std::vector<std::unique_ptr<LinkService>>;
@@ -35,6 +38,7 @@ class ReportLink final : public LinkService {
  private:
   void report_budgets(Instant at);
   void report_link(Instant at);
+  void report_site(Instant at);
   void report_traffic(Instant at);
   /// What every report begins with.
   template <class Message>
@@ -49,6 +53,7 @@ class ReportLink final : public LinkService {
   const SiteLink& sites_;
   Time next_report_{};
   Time next_budget_{};
+  std::string told_site_;
 };
 
 }  // namespace tocsin

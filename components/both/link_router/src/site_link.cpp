@@ -13,6 +13,9 @@ constexpr std::uint64_t most_disorder_us = 10'000'000;
 /// Of a link to one there are more by forgery alone.
 constexpr std::size_t most_hosts = 64;
 
+/// A vehicle says it ten times a second.
+constexpr Duration told_for = std::chrono::seconds(3);
+
 /// On a secured link a value says of its own host alone.
 bool is_honest(const ReceivedStop& said) {
   return said.identity.empty() || said.identity == "CN=/" + said.value.host;
@@ -21,7 +24,12 @@ bool is_honest(const ReceivedStop& said) {
 }  // namespace
 
 SiteLink::SiteLink(LinkBus& link, router::LinkReceiver& receiver, Role role, Logger& log)
-    : link_(link), receiver_(receiver), log_(log), role_(role), choice_(link.sites()) {
+    : link_(link),
+      receiver_(receiver),
+      log_(log),
+      role_(role),
+      choice_(link.sites()),
+      host_(link.host()) {
   if (!chosen().empty()) link_.set_absent(choice_.others());
 }
 
@@ -39,6 +47,11 @@ void SiteLink::take(const StopNews& news, Time now) {
     }
   }
   if (role_ == Role::uxv) follow_choice(now);
+}
+
+std::string SiteLink::spoken_with(Time now) const {
+  if (role_ == Role::uxv) return chosen();
+  return now - told_at_ < told_for ? told_ : "";
 }
 
 void SiteLink::follow_choice(Time now) {
@@ -60,15 +73,15 @@ bool SiteLink::is_newest(const ReceivedStop& said) {
 }
 
 void SiteLink::follow_vehicle(const ReceivedStop& said) {
-  const std::string& site = said.value.site;
-  const std::string elsewhere = site == link_.host() ? "" : site;
-  if (elsewhere == left_for_) return;
-  left_for_ = elsewhere;
+  told_at_ = said.received;
+  if (said.value.site == told_) return;
+  const bool was_left = is_left();
+  told_ = said.value.site;
   const std::string vehicle = printable(said.value.host);
   if (is_left()) {
-    log_.warn("{} speaks with another site, {}", vehicle, printable(site));
+    log_.warn("{} speaks with another site, {}", vehicle, printable(told_));
     link_.set_absent({said.value.host});
-  } else {
+  } else if (was_left) {
     log_.info("{} speaks with this site again", vehicle);
     link_.set_absent({});
   }

@@ -25,8 +25,10 @@ class SiteLink {
   [[nodiscard]] Role role() const { return role_; }
   /// The host of the site that this vehicle speaks with; empty when it has no choice.
   [[nodiscard]] std::string chosen() const { return choice_.chosen(); }
+  /// The same; at a site, of its vehicle, while that is received.
+  [[nodiscard]] std::string spoken_with(Time now) const;
   /// Whether this is a site, and its vehicle speaks with another one.
-  [[nodiscard]] bool is_left() const { return !left_for_.empty(); }
+  [[nodiscard]] bool is_left() const { return !told_.empty() && told_ != host_; }
 
  private:
   void follow_choice(Time now);
@@ -40,7 +42,9 @@ class SiteLink {
   const Role role_;
   router::SiteChoice choice_;
   std::map<std::string, std::uint64_t> numbers_;  ///< of the last value that counts, by its host
-  std::string left_for_;  ///< the site that the vehicle speaks with in place of this one
+  const std::string host_;
+  std::string told_;  ///< with whom the vehicle of this site speaks; empty when it has no choice
+  Time told_at_{};
 };
 
 }  // namespace tocsin

@@ -231,8 +231,11 @@ TEST_F(RouterStopTest, NamesOfTheOtherSideAreShownAsPrintableText) {
 TEST_F(RouterStopTest, AVehicleSpeaksWithTheFirstOfItsSitesAndWithTheNextWhenThatIsSilent) {
   script_.sites = {"north", "south"};
   start(Role::uxv);
+  SimReader<topic::LinkSite> sites(host_->bus);
   EXPECT_THAT(script_.absent, ElementsAre("south"));
   EXPECT_EQ(said().site, "north");
+  run(1);
+  EXPECT_EQ(sites.take().back().data(), "north");
   StopValue south = station(false);
   south.host = "south";
   for (int i = 0; i < 7; ++i) {
@@ -241,6 +244,7 @@ TEST_F(RouterStopTest, AVehicleSpeaksWithTheFirstOfItsSitesAndWithTheNextWhenTha
   }
   EXPECT_THAT(script_.absent, ElementsAre("north"));
   EXPECT_EQ(said().site, "south");
+  EXPECT_EQ(sites.take().back().data(), "south") << "at once";
 }
 
 TEST_F(RouterStopTest, AStopOfEachSiteStandsWhicheverItSpeaksWith) {
@@ -254,23 +258,29 @@ TEST_F(RouterStopTest, AStopOfEachSiteStandsWhicheverItSpeaksWith) {
   EXPECT_EQ(said().site, "gcs");
 }
 
-TEST_F(RouterStopTest, ASiteLetsGoOfAVehicleThatSpeaksWithAnotherAndReportsNoLink) {
+TEST_F(RouterStopTest, ASiteLetsGoOfAVehicleThatSpeaksWithAnotherAndReportsThatAlone) {
   start(Role::gcs);
   SimReader<topic::LinkState> states(host_->bus);
+  SimReader<topic::LinkSite> sites(host_->bus);
   StopValue vehicle;
   vehicle.role = Role::uxv;
   vehicle.host = "uxv1";
   vehicle.site = "south";
   hear(vehicle);
   EXPECT_THAT(script_.absent, ElementsAre("uxv1"));
+  EXPECT_EQ(sites.take().back().data(), "south");
   (void)states.take();
   run(3);
   EXPECT_THAT(states.take(), IsEmpty());
+  EXPECT_GE(sites.take().size(), 2U);
+  run(2);
+  EXPECT_THAT(sites.take(), IsEmpty()) << "the vehicle is silent";
   vehicle.site = "here";
   hear(vehicle);
   EXPECT_THAT(script_.absent, IsEmpty());
   run(3);
   EXPECT_EQ(states.take().size(), 3U);
+  EXPECT_THAT(sites.take(), IsEmpty()) << "it speaks with this one";
 }
 
 TEST_F(RouterStopTest, OnASecuredLinkAVehicleSaysOfItselfAloneWhereItIs) {

@@ -33,7 +33,8 @@ void add_texts(const YAML::Node& removed, std::set<std::string>& texts) {
   for (const auto& entry : removed) add_texts(removed.IsMap() ? entry.second : entry, texts);
 }
 
-/// What network_monitor probes where no file and no `--set` says it: the first peer of its host.
+/// What network_monitor probes where no file and no `--set` says it: the first peer of its host, or
+/// the one that its host speaks with.
 void set_target(const Host& host, ComponentInstance& instance) {
   if (instance.component != "network_monitor" || (*instance.parameters)["target"]) return;
   if (host.peers.empty()) {
@@ -42,6 +43,9 @@ void set_target(const Host& host, ComponentInstance& instance) {
   }
   YAML::Node parameters = *instance.parameters;
   parameters["target"] = host.peers.front();
+  if (host.sites.size() < 2 || parameters["sites"]) return;
+  parameters["sites"] = host.sites;
+  parameters["site_targets"] = host.peers;
 }
 
 bool is_one_of_several_sites(const Deployment& deployment, const std::string& host) {

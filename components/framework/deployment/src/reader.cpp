@@ -40,7 +40,7 @@ ComponentInstance read_instance(const YAML::Node& node, const std::string& owner
     const YAML::Node given = section.find("parameters");
     if (given.IsDefined() && !given.IsNull()) {
       const Section keys(given, instance.name, sources);
-      parameters = given;
+      parameters.reset(given);  // an assignment would copy the list of all nodes of the file
     }
   }
   instance.parameters = std::make_shared<const YAML::Node>(parameters);

@@ -224,6 +224,21 @@ TEST_F(SitesTest, AreKnownByTheNamesOfTheHostsInTheOrderOfThePeers) {
   EXPECT_THAT(peer_names_of(sut, sut.hosts[0], container), ElementsAre("north", "south"));
 }
 
+TEST_F(SitesTest, AreProbedByTheNetworkMonitorOfTheirVehicle) {
+  const auto parameters_in = [this](const std::string& keys) {
+    const std::string containers =
+        ", containers: [{name: link, components: [{component: network_monitor" + keys + "}]}]}";
+    const Deployment sut = load(with(file_, "10.1.0.2]}", "10.1.0.2]" + containers));
+    return *sut.hosts[0].containers[0].components[0].parameters;
+  };
+  using Texts = std::vector<std::string>;
+  const YAML::Node sut = parameters_in("");
+  EXPECT_EQ(sut["target"].as<std::string>(), "10.1.0.3");
+  EXPECT_EQ(sut["sites"].as<Texts>(), (Texts{"north", "south"}));
+  EXPECT_EQ(sut["site_targets"].as<Texts>(), (Texts{"10.1.0.3", "10.1.0.2"}));
+  EXPECT_FALSE(parameters_in(", parameters: {target: 10.1.0.9}")["sites"]) << "as it is told";
+}
+
 TEST_F(SitesTest, AreNamedWhereTheFileDoesNotHaveTheirHosts) {
   const std::string alone =
       "hosts: {uxv: {role: uxv, address: 10.1.0.1, peers: [1.1.1.1, 1.1.1.2]}}";

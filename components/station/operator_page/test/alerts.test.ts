@@ -128,6 +128,13 @@ describe("Alert", () => {
     station.onMessage("transmission_state", make.transmission({ stamp: make.stampOf(104_000) }), 1000);
     assert.equal(textAt(station, 1100), "The vehicle has not been heard yet.");
   });
+  it("says with which other site the vehicle speaks, as long as that is told", () => {
+    const station = heard(4000);
+    station.onMessage("link_site", { data: "south" }, 9000);
+    const { severity, text } = alertOf(open, station, 9500);
+    assert.deepEqual([severity, text], ["info", "The vehicle speaks with another site, south."]);
+    assert.match(textAt(station, 12_500), /last heard 8.5 s ago/);
+  });
   it("says that the vehicle is not heard after 3.5 s, with the time", () => {
     assert.equal(/last heard/.test(textAt(heard(4000), 7500)), false);
     assert.match(textAt(heard(4000), 7501), /last heard 3.5 s ago/);

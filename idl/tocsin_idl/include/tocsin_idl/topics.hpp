@@ -321,6 +321,12 @@ struct LinkState {
   using Message = tocsin_msgs::msg::LinkState;
   static constexpr TopicInfo info{"link_state", "telemetry", Scope::link};
 };
+/// With which of several sites the vehicle speaks: once a second of its own router, and of a site's
+/// while it is another one.
+struct LinkSite {
+  using Message = std_msgs::msg::String;
+  static constexpr TopicInfo info{"link_site", "telemetry", Scope::host};
+};
 /// The site's to a vehicle's router.
 struct AirtimeShare {
   using Message = tocsin_msgs::msg::AirtimeShare;

@@ -41,14 +41,12 @@ class CallerWatch {
   std::function<void()> notice_;
 };
 
-ParticipantOptions host_options(const BusOptions& options, const QosProfiles& profiles,
-                                CallerWatch& watch) {
+ParticipantOptions host_options(const BusOptions& options, CallerWatch& watch) {
   ParticipantOptions host;
   host.name = options.name;
   host.domain = options.host_domain;
   host.farewell = std::chrono::milliseconds(300);
   host.user_data = participant_user_data;
-  host.flow_controllers = profiles.flow_controllers();
   host.on_end = [&watch](const auto&, const AnnouncedEnd& end, bool) {
     if (end.writer && ros_service(end.topic)) watch.notice();
   };
@@ -63,7 +61,7 @@ class FastDdsBus final : public Bus, private HostControl, private LinkAccess {
         profiles_(options.qos_file.empty() ? QosProfiles() : QosProfiles(options.qos_file)),
         rules_(options.traffic_file.empty() ? TrafficRules()
                                             : TrafficRules(options.traffic_file, options.role)),
-        participant_(host_options(options, profiles_, watch_)),
+        participant_(host_options(options, watch_)),
         nodes_(options.ros_namespace),
         graph_(participant_, options.gid_size) {}
 

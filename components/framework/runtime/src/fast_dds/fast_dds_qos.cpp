@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fastdds/rtps/flowcontrol/FlowControllerDescriptor.hpp>
 #include <limits>
 
 namespace tocsin {
@@ -12,7 +11,6 @@ namespace {
 
 namespace dds = eprosima::fastdds::dds;
 namespace rtps = eprosima::fastdds::rtps;
-using Scheduler = eprosima::fastdds::rtps::FlowControllerSchedulerPolicy;
 
 dds::LivelinessQosPolicyKind liveliness_kind(const QosProfile& profile) {
   if (profile.liveliness == Liveliness::manual_by_topic) return dds::MANUAL_BY_TOPIC_LIVELINESS_QOS;
@@ -61,20 +59,6 @@ void apply_contract(const QosProfile& profile, Qos& qos) {
   qos.user_data().data_vec({profile.user_data.begin(), profile.user_data.end()});
 }
 
-void apply_publishing(const QosProfile& profile, dds::DataWriterQos& qos) {
-  const bool asynchronous =
-      profile.publish_mode == PublishMode::asynchronous ||
-      (profile.publish_mode == PublishMode::automatic && !profile.flow_controller.empty());
-  qos.publish_mode().kind =
-      asynchronous ? dds::ASYNCHRONOUS_PUBLISH_MODE : dds::SYNCHRONOUS_PUBLISH_MODE;
-  if (profile.flow_controller.empty()) return;
-  qos.publish_mode().flow_controller_name = profile.flow_controller.c_str();
-  auto& properties = qos.properties().properties();
-  properties.emplace_back("fastdds.sfc.priority", std::to_string(profile.priority));
-  properties.emplace_back("fastdds.sfc.bandwidth_reservation",
-                          std::to_string(profile.bandwidth_reservation_percent));
-}
-
 }  // namespace
 
 eprosima::fastdds::dds::Duration_t dds_duration(double s) {
@@ -92,7 +76,9 @@ dds::DataWriterQos writer_qos(const QosProfile& profile, Keys keys) {
   apply_history(profile, keys, qos);
   // Who does not write an instance any more says only that.
   qos.writer_data_lifecycle().autodispose_unregistered_instances = keys == Keys::none;
-  apply_publishing(profile, qos);
+  qos.publish_mode().kind = profile.publish_mode == PublishMode::asynchronous
+                                ? dds::ASYNCHRONOUS_PUBLISH_MODE
+                                : dds::SYNCHRONOUS_PUBLISH_MODE;
   fast_dds::set_times(fast_dds::WriterTimes{dds_duration(profile.initial_heartbeat_delay_s),
                                             dds_duration(profile.heartbeat_period_s),
                                             dds_duration(profile.nack_response_delay_s),
@@ -123,21 +109,6 @@ dds::DataReaderQos reader_qos(const QosProfile& profile, Keys keys) {
           dds_duration(std::max(profile.heartbeat_response_delay_s, least_response_delay_s))},
       qos);
   return qos;
-}
-
-std::shared_ptr<eprosima::fastdds::rtps::FlowControllerDescriptor> descriptor_of(
-    const char* name, const FlowController& controller) {
-  static const std::map<std::string, Scheduler> schedulers{
-      {"fifo", Scheduler::FIFO},
-      {"round_robin", Scheduler::ROUND_ROBIN},
-      {"high_priority", Scheduler::HIGH_PRIORITY},
-      {"priority_with_reservation", Scheduler::PRIORITY_WITH_RESERVATION}};
-  auto descriptor = std::make_shared<eprosima::fastdds::rtps::FlowControllerDescriptor>();
-  descriptor->name = name;
-  descriptor->scheduler = schedulers.at(controller.scheduler);
-  descriptor->max_bytes_per_period = controller.max_bytes_per_period;
-  descriptor->period_ms = static_cast<std::uint64_t>(std::lround(controller.period_s * 1000));
-  return descriptor;
 }
 
 }  // namespace tocsin

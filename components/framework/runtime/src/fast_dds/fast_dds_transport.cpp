@@ -194,9 +194,6 @@ dds::DomainParticipantQos participant_qos(const ParticipantOptions& options) {
   is_on_link(options) ? locate_on_link(options, side.get(), qos) : locate_on_host(options, qos);
   builtin.discovery_config.initial_announcements.count = 10;
   builtin.discovery_config.initial_announcements.period = dds_duration(0.1);
-  for (const auto& [name, controller] : options.flow_controllers) {
-    qos.flow_controllers().push_back(descriptor_of(name.c_str(), controller));
-  }
   return qos;
 }
 

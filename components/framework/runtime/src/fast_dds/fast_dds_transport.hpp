@@ -30,7 +30,6 @@ struct ParticipantOptions {
   std::string second_address = {};      ///< on the link, of a second path; empty: none
   std::vector<std::string> second_peers = {};  ///< the peers by it, in the same order
   std::string user_data = "";                  ///< of the participant
-  std::map<std::string, FlowController> flow_controllers = {};
   /// How long its writers wait, in all, until their readers have what they wrote last.
   Duration farewell = {};
   /// Called by discovery with what others announce; must not call Fast DDS.

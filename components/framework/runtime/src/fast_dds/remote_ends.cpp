@@ -41,9 +41,9 @@ std::string value_in(const std::string& user_data, const std::string& key) {
   return user_data.substr(from, user_data.find(';', from) - from);
 }
 
+/// Of one topic.
 bool clash(const AnnouncedEnd& own, const AnnouncedEnd& other) {
-  if (own.topic != other.topic || own.writer == other.writer) return false;
-  return own.type != other.type || layouts_differ(own, other);
+  return own.writer != other.writer && (own.type != other.type || layouts_differ(own, other));
 }
 
 }  // namespace
@@ -81,7 +81,9 @@ void RemoteEnds::add(const Participant& participant, const std::string& name,
 void RemoteEnds::add(const Guid& guid, const AnnouncedEnd& end) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    ends_[guid] = end;
+    forget(guid);
+    ends_[end.topic][guid] = end;
+    topics_[guid] = end.topic;
   }
   if (on_end_) on_end_(guid, end, true);
 }
@@ -90,7 +92,7 @@ void RemoteEnds::remove(const Participant& participant) {
   std::vector<Guid> left;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    for (const auto& entry : ends_) {
+    for (const auto& entry : topics_) {
       if (entry.first.guidPrefix == participant) left.push_back(entry.first);
     }
   }
@@ -104,20 +106,39 @@ void RemoteEnds::remove(const Participant& participant) {
 }
 
 void RemoteEnds::remove(const Guid& guid) {
-  AnnouncedEnd end;
+  std::optional<AnnouncedEnd> end;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    const auto found = ends_.find(guid);
-    if (found == ends_.end()) return;
-    end = std::move(found->second);
-    ends_.erase(found);
+    end = forget(guid);
   }
-  if (on_end_) on_end_(guid, end, false);
+  if (end && on_end_) on_end_(guid, *end, false);
+}
+
+std::optional<AnnouncedEnd> RemoteEnds::forget(const Guid& guid) {
+  const auto topic = topics_.find(guid);
+  if (topic == topics_.end()) return std::nullopt;
+  const auto of_topic = ends_.find(topic->second);
+  std::optional<AnnouncedEnd> end = std::move(of_topic->second.at(guid));
+  of_topic->second.erase(guid);
+  if (of_topic->second.empty()) ends_.erase(of_topic);
+  topics_.erase(topic);
+  return end;
+}
+
+const RemoteEnds::Ends& RemoteEnds::ends_of(const std::string& topic) const {
+  static const Ends none;
+  const auto found = ends_.find(topic);
+  return found != ends_.end() ? found->second : none;
+}
+
+const AnnouncedEnd* RemoteEnds::find(const Guid& guid) const {
+  const auto topic = topics_.find(guid);
+  return topic != topics_.end() ? &ends_.at(topic->second).at(guid) : nullptr;
 }
 
 std::string RemoteEnds::other_type(const AnnouncedEnd& own) const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  for (const auto& [guid, end] : ends_) {
+  for (const auto& [guid, end] : ends_of(own.topic)) {
     if (!clash(own, end)) continue;
     return end.type + (end.type == own.type ? " with another layout" : "") + owner_of(guid);
   }
@@ -126,29 +147,33 @@ std::string RemoteEnds::other_type(const AnnouncedEnd& own) const {
 
 WriterInfo RemoteEnds::writer(const Guid& guid) const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const auto end = ends_.find(guid);
+  const AnnouncedEnd* const end = find(guid);
   WriterInfo info;
   info.name = name_of(guid);
-  if (end == ends_.end()) return info;
-  info.user_data = end->second.user_data;
-  info.lifespan_s = end->second.lifespan_s;
+  if (end == nullptr) return info;
+  info.user_data = end->user_data;
+  info.lifespan_s = end->lifespan_s;
   return info;
 }
 
 std::vector<RemoteEnds::Known> RemoteEnds::all() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   std::vector<Known> all;
-  all.reserve(ends_.size());
-  for (const auto& [guid, end] : ends_) all.push_back({guid, end, name_of(guid)});
+  all.reserve(topics_.size());
+  for (const auto& [guid, topic] : topics_) {
+    all.push_back({guid, ends_.at(topic).at(guid), name_of(guid)});
+  }
   return all;
 }
 
 std::vector<std::string> RemoteEnds::written_topics(const std::string& prefix) const {
   std::vector<std::string> topics;
   const std::lock_guard<std::mutex> lock(mutex_);
-  for (const auto& entry : ends_) {
-    const AnnouncedEnd& end = entry.second;
-    if (end.writer && end.topic.compare(0, prefix.size(), prefix) == 0) topics.push_back(end.topic);
+  for (auto topic = ends_.lower_bound(prefix); topic != ends_.end(); ++topic) {
+    if (topic->first.compare(0, prefix.size(), prefix) != 0) break;
+    for (const auto& entry : topic->second) {
+      if (entry.second.writer) topics.push_back(topic->first);
+    }
   }
   return topics;
 }
@@ -164,17 +189,15 @@ bool RemoteEnds::has_ros2() const {
 std::vector<std::string> RemoteEnds::user_data_of(const std::string& topic) const {
   std::vector<std::string> all;
   const std::lock_guard<std::mutex> lock(mutex_);
-  for (const auto& entry : ends_) {
-    if (entry.second.topic == topic) all.push_back(entry.second.user_data);
-  }
+  for (const auto& entry : ends_of(topic)) all.push_back(entry.second.user_data);
   return all;
 }
 
 std::string RemoteEnds::type_hash(const std::string& topic, const std::string& type) const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  for (const auto& entry : ends_) {
+  for (const auto& entry : ends_of(topic)) {
     const AnnouncedEnd& end = entry.second;
-    if (end.topic != topic || end.type != type) continue;
+    if (end.type != type) continue;
     if (auto hash = type_hash_in(end.user_data); !hash.empty()) return hash;
   }
   return "";
@@ -182,8 +205,8 @@ std::string RemoteEnds::type_hash(const std::string& topic, const std::string& t
 
 std::string RemoteEnds::misfit(const AnnouncedEnd& own) const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  for (const auto& [guid, end] : ends_) {
-    if (own.topic != end.topic || own.writer == end.writer || own.type != end.type) continue;
+  for (const auto& [guid, end] : ends_of(own.topic)) {
+    if (own.writer == end.writer || own.type != end.type) continue;
     const std::vector<std::string> policies = policies_between(own, end);
     if (policies.empty()) continue;
     std::string text;
@@ -206,8 +229,8 @@ std::string RemoteEnds::owner_of(const Guid& guid) const {
 
 bool RemoteEnds::has_other_layout(const Guid& guid, const AnnouncedEnd& own) const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const auto found = ends_.find(guid);
-  return found != ends_.end() && layouts_differ(own, found->second);
+  const AnnouncedEnd* const end = find(guid);
+  return end != nullptr && layouts_differ(own, *end);
 }
 
 }  // namespace tocsin

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -88,6 +89,11 @@ class RemoteEnds {
   [[nodiscard]] WriterInfo writer(const Guid& guid) const;
 
  private:
+  using Ends = std::map<Guid, AnnouncedEnd>;
+  std::optional<AnnouncedEnd> forget(const Guid& guid);
+  [[nodiscard]] const Ends& ends_of(const std::string& topic) const;
+  /// Null: it has not announced itself.
+  [[nodiscard]] const AnnouncedEnd* find(const Guid& guid) const;
   [[nodiscard]] std::string name_of(const Guid& guid) const;
   [[nodiscard]] std::string owner_of(const Guid& guid) const;
   OnEnd on_end_;
@@ -95,7 +101,8 @@ class RemoteEnds {
   mutable std::mutex mutex_;
   std::map<Participant, std::string> names_;
   std::map<Participant, std::string> participants_data_;
-  std::map<Guid, AnnouncedEnd> ends_;
+  std::map<std::string, Ends> ends_;    ///< by topic: health asks of each own end each second
+  std::map<Guid, std::string> topics_;  ///< of each end
 };
 
 }  // namespace tocsin

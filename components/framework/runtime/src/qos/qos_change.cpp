@@ -47,9 +47,6 @@ const std::map<std::string, const char*>& fixed() {
       {"heartbeat_response_delay_s", ignored},
       {"liveliness_announcement_s", ignored},
       {"publish_mode", ignored},
-      {"flow_controller", ignored},
-      {"priority", ignored},
-      {"bandwidth_reservation_percent", ignored},
       {"user_data", "it tells the layout of the topic's type, by which samples are refused"},
   };
   return reasons;

@@ -41,9 +41,6 @@ std::optional<QosConflict> thinning_conflict(const QosProfile& qos) {
 }
 
 std::optional<QosConflict> writer_conflict(const QosProfile& qos) {
-  if (!qos.flow_controller.empty() && qos.publish_mode == PublishMode::synchronous) {
-    return QosConflict{"flow_controller", "needs publish_mode: asynchronous or automatic"};
-  }
   if (qos.ownership_strength != 0 && !qos.exclusive()) {
     return QosConflict{"ownership_strength", "means nothing without ownership: exclusive"};
   }
@@ -108,7 +105,7 @@ std::string refusal(const std::string& key, const std::string& value) {
   static const std::map<std::string, const char*> reasons{
       {"latency_budget", "Fast DDS 2.9.1 announces it and does nothing"},
       {"transport_priority",
-       "Fast DDS 2.9.1 announces it and does nothing; use flow_controller and priority"},
+       "Fast DDS 2.9.1 announces it and does nothing; link_router has classes"},
       {"destination_order", "Fast DDS 2.9.1 orders by reception only"},
       {"presentation", "Fast DDS 2.9.1 announces it; coherent and ordered access are stubs"},
       {"time_based_filter",
@@ -127,7 +124,9 @@ std::string refusal(const std::string& key, const std::string& value) {
        "Fast DDS 2.9.1 crashes when a best-effort reader matches such a writer"},
       {"data_representation", "Fast DDS 2.9.1 always writes XCDR1"},
       {"type_consistency", "types match by name and layout; nothing is coerced"},
-      {"throughput_controller", "replaced in Fast DDS 2.9.1; use flow_controller"},
+      {"flow_controller",
+       "a process with one may end by an assertion of Fast DDS 3.1; link_router paces what "
+       "crosses"},
       {"durability transient", "needs a database: each write would block for 4 to 14 ms"},
       {"durability persistent", "Fast DDS 2.9.1 does not support it"},
       {"memory_policy preallocated", "types here have no largest size"},

@@ -5,18 +5,12 @@
 
 #include "command_line/programs.hpp"
 #include "foundation/error.hpp"
-#include "foundation/joined.hpp"
 #include "foundation/parameters.hpp"
-#include "foundation/spelling.hpp"
 #include "foundation/yaml_extends.hpp"
 #include "foundation/yaml_file.hpp"
 
 namespace tocsin {
 namespace {
-
-/// [byte] Fast DDS 2.9.1 cuts samples so that a piece fits what a period leaves beside 176 bytes of
-/// headers; with less than that it sends nothing, and says nothing.
-constexpr int least_period = 256;
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 
@@ -90,11 +84,10 @@ QosProfiles::QosProfiles(const std::string& path) : path_(path) {
   const std::string shipped = (share_folder(own_program()) / "config").string();
   const YAML::Node file = read_extended(path, {shipped}, sources_);
   if (!file.IsMap()) throw ConfigError(path + ": must be a map of QoS profiles");
-  if (file["flow_controllers"].IsDefined()) read_flow_controllers(file["flow_controllers"]);
   if (file["topics"].IsDefined()) read_overrides(file["topics"]);
   for (const auto& entry : file) {
     const std::string name = entry.first.Scalar();
-    if (name != "flow_controllers" && name != "topics") read_profile(name, entry.second);
+    if (name != "topics") read_profile(name, entry.second);
   }
 }
 
@@ -105,31 +98,7 @@ void QosProfiles::read_profile(const std::string& name, const YAML::Node& node) 
     throw ConfigError(name + "." + broken->policy + ": " + broken->reason +
                       place_of(sources_, node, broken->policy));
   }
-  const std::string& flow = profile.flow_controller;
-  if (!flow.empty() && flow_controllers_.count(flow) == 0) {
-    std::vector<std::string> known;
-    for (const auto& one : flow_controllers_) known.push_back(one.first);
-    throw ConfigError(name + ".flow_controller: '" + flow + "' is not one of flow_controllers" +
-                      suggestion(known, flow) + place_of(sources_, node, "flow_controller"));
-  }
   profiles_[name] = profile;
-}
-
-void QosProfiles::read_flow_controllers(const YAML::Node& node) {
-  const YAML::Node flow_controllers = need_map(node, "flow_controllers", sources_);
-  for (const auto& entry : flow_controllers) {
-    const std::string name = entry.first.Scalar();
-    const auto controller =
-        load_parameters<FlowController>(entry.second, "flow_controllers." + name, sources_);
-    if (controller.max_bytes_per_period > 0 && controller.max_bytes_per_period < least_period) {
-      throw ConfigError("flow_controllers." + name + ".max_bytes_per_period: " +
-                        std::to_string(controller.max_bytes_per_period) +
-                        " has no room for a message; allowed are 0 (unlimited) and " +
-                        std::to_string(least_period) + " or more" +
-                        place_of(sources_, entry.second, "max_bytes_per_period"));
-    }
-    flow_controllers_[name] = controller;
-  }
 }
 
 void QosProfiles::read_overrides(const YAML::Node& node) {

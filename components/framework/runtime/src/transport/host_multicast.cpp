@@ -67,26 +67,6 @@ bool hear_this_host_only(const FileDescriptor& socket, unsigned loopback) {
   return set(socket, SOL_SOCKET, SO_ATTACH_FILTER, filter);
 }
 
-/// A member of a group on an interface, as long as it lives.
-class Membership {
- public:
-  Membership(const FileDescriptor& socket, unsigned interface)
-      : socket_(socket), request_(membership_on(interface)) {
-    joined_ = set(socket_, IPPROTO_IP, IP_ADD_MEMBERSHIP, request_);
-  }
-  ~Membership() {
-    if (joined_) (void)set(socket_, IPPROTO_IP, IP_DROP_MEMBERSHIP, request_);
-  }
-  Membership(const Membership&) = delete;
-  Membership& operator=(const Membership&) = delete;
-  explicit operator bool() const { return joined_; }
-
- private:
-  const FileDescriptor& socket_;
-  const ip_mreqn request_;
-  bool joined_;
-};
-
 std::string text_of(const char* path) {
   const std::ifstream file(path);
   std::ostringstream text;
@@ -177,10 +157,8 @@ HostMulticastSender::HostMulticastSender(const FileDescriptor& socket)
 void HostMulticastSender::send(const std::uint8_t* bytes, std::size_t size, std::uint16_t port) {
   const sockaddr_in to = group_at(port);
   const std::string members = text_of("/proc/net/igmp");
-  const std::lock_guard<std::mutex> lock(mutex_);
   for (const unsigned interface : interfaces_with_member(members, to.sin_addr, loopback_)) {
-    const Membership member(socket_, interface);
-    if (member) send_by(socket_, interface, {bytes, size}, to);
+    send_by(socket_, interface, {bytes, size}, to);
   }
 }
 

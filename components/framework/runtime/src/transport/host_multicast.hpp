@@ -6,7 +6,6 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
@@ -55,8 +54,8 @@ class HostMulticastReceiver {
 };
 
 /// Sends to the discovery group on the interfaces where another program of this host has joined it.
-/// Nothing leaves the host: time to live is 0. Linux keeps such a packet only while the sender's
-/// host is a member there, so it joins for the instant of sending.
+/// Nothing leaves the host: time to live is 0. It does not join: that would be told to the network,
+/// and be taken by others who send at that instant for a program that listens.
 class HostMulticastSender {
  public:
   /// `socket`: bound to a port, outlives it. Others know by the port that it is the same sender.
@@ -65,7 +64,6 @@ class HostMulticastSender {
   void send(const std::uint8_t* bytes, std::size_t size, std::uint16_t port);
 
  private:
-  std::mutex mutex_;  ///< of the socket's memberships
   const FileDescriptor& socket_;
   unsigned loopback_;
 };

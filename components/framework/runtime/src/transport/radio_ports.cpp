@@ -76,6 +76,8 @@ class RadioPorts::Port {
 
 RadioPorts::RadioPorts(const RadioPlace& place)
     : first_address_(place.first_address), second_address_(place.second_address) {
+  const auto own = ipv4_addresses({place.first_address});
+  if (!own.empty()) own_address_ = own.front();
   const auto firsts = ipv4_addresses(place.first_peers);
   const auto seconds = ipv4_addresses(place.second_peers);
   for (std::size_t i = 0; i < std::min(firsts.size(), seconds.size()); ++i) {
@@ -90,7 +92,13 @@ bool RadioPorts::claim(std::uint16_t port) {
   FileDescriptor socket = radio_socket(first_address_, port);
   if (!socket) return false;
   claimed_[port] = std::move(socket);
+  own_port_ = port;
   return true;
+}
+
+bool RadioPorts::is_own(const Locator& place) const {
+  const bool is_port = place.port == own_port_ || place.port == own_port_ + 1U;
+  return is_port && ipv4_of(place) == own_address_;
 }
 
 void RadioPorts::start(std::uint16_t port, const OnPacket& on_packet) {

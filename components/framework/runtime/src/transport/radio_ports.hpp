@@ -48,8 +48,11 @@ class RadioPorts {
   RadioPorts(const RadioPorts&) = delete;
   RadioPorts& operator=(const RadioPorts&) = delete;
 
-  /// Keeps a port of the first path for `start`; false: somebody else has it.
+  /// Keeps a port of the first path for `start`; false: somebody else has it. It is the
+  /// participant's for discovery, and the next one is its other.
   [[nodiscard]] bool claim(std::uint16_t port);
+  /// Whether that is where this participant receives.
+  [[nodiscard]] bool is_own(const Locator& place) const;
   /// Of the second path, packets of peers only. Throws EnvironmentError when the port is taken.
   void start(std::uint16_t port, const OnPacket& on_packet);
   /// Returns when the port's threads have ended.
@@ -69,6 +72,8 @@ class RadioPorts {
   std::map<std::uint32_t, std::uint32_t> seconds_;  ///< addresses, host order, by the first ones
   std::map<std::uint32_t, std::uint32_t> firsts_;
   std::map<std::uint16_t, FileDescriptor> claimed_;
+  std::uint32_t own_address_ = 0;  ///< host order, of the first path
+  std::uint16_t own_port_ = 0;
   std::map<std::uint16_t, std::vector<std::unique_ptr<Port>>> ports_;
 };
 

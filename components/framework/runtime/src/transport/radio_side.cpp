@@ -80,10 +80,11 @@ class RadioSender : public fast_dds::PacketSender {
     }
     return all;
   }
+  /// A topic that both sides write matches this participant, too, which needs nothing of itself.
   [[nodiscard]] bool goes_to(const rtps::Locator_t& to, const std::uint8_t* bytes,
                              std::size_t size) const {
     return to.kind == LOCATOR_KIND_UDPv4 && !rtps::IPLocator::isMulticast(to) &&
-           !parts_.marks->withholds(bytes, size, ipv4_of(to));
+           !parts_.ports->is_own(to) && !parts_.marks->withholds(bytes, size, ipv4_of(to));
   }
   bool send_in_pieces(const rtps::octet* bytes, std::size_t size, const rtps::Locator_t& to,
                       const std::optional<Authentication>& authentication) {

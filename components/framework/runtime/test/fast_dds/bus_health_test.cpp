@@ -243,11 +243,9 @@ TEST_F(BusHealthTest, OwnersOfALinkTopicAreAConfigError) {
   EXPECT_THROW((void)bus->subscribe(crossing, samples), ConfigError);
 }
 
-TEST_F(BusHealthTest, AFlowControlledWriterDelivers) {
+TEST_F(BusHealthTest, AnAsynchronousWriterDelivers) {
   const int one = domain();
-  const char* const qos =
-      "flow_controllers: {slow: {max_bytes_per_period: 2000, period_s: 0.01}}\n"
-      "sensor: {flow_controller: slow, priority: -10, depth: 50}\n";
+  const char* const qos = "sensor: {publish_mode: asynchronous, depth: 50}\n";
   const auto a = make_test_bus(one, qos);
   const auto b = make_test_bus(one, qos);
   Samples samples;

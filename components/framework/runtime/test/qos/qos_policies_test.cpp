@@ -42,8 +42,6 @@ TEST(QosConflict, NamesThePolicyThatContradictsAnother) {
            {"{deadline_s: 1, max_rate_hz: 0.9}", "max_rate_hz"},
            {"{durability: transient_local, minimum_separation_s: 0.1}", "minimum_separation_s"},
            {"{durability: transient_local, max_rate_hz: 10}", "max_rate_hz"},
-           {"{flow_controller: radio}", ""},
-           {"{flow_controller: radio, publish_mode: synchronous}", "flow_controller"},
            {"{ownership_strength: 1}", "ownership_strength"},
            {"{ownership_strength: 1, ownership: exclusive}", ""},
            {"{liveliness_lease_s: 1, liveliness_announcement_s: 0.9}", ""},

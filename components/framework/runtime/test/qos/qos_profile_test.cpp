@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The QoS file: profiles, flow controllers, overrides, and every error with its line.
+// The QoS file: profiles, overrides, and every error with its line.
 #include "runtime/middleware/qos_profile.hpp"
 
 #include <gmock/gmock.h>
@@ -139,7 +139,7 @@ TEST(QosProfiles, EveryPolicyReachesTheProfile) {
           ? ""
           : "all:\n  reliability: best_effort\n  deadline_s: 2\n  partition: [a, b]\n"
             "  history: keep_all\n  max_samples: 7\n  nack_suppression_s: 0.5\n"
-            "  priority: -10\n  user_data: x=1\n");
+            "  ownership_strength: 3\n  ownership: exclusive\n  user_data: x=1\n");
   const QosProfile sut = QosProfiles(file.path()).of("all", "any");
   EXPECT_FALSE(sut.reliable());
   EXPECT_EQ(sut.deadline_s, 2);
@@ -147,17 +147,8 @@ TEST(QosProfiles, EveryPolicyReachesTheProfile) {
   EXPECT_TRUE(sut.keeps_all());
   EXPECT_EQ(sut.max_samples, 7);
   EXPECT_EQ(sut.nack_suppression_s, 0.5);
-  EXPECT_EQ(sut.priority, -10);
+  EXPECT_EQ(sut.ownership_strength, 3);
   EXPECT_EQ(sut.user_data, "x=1");
-}
-
-TEST(QosProfiles, AFlowControllerIsReadAndMustBeThere) {
-  const std::string flow = "flow_controllers: {radio: {max_bytes_per_period: 12500}}\n";
-  const ConfigFile file(flow + "bulk: {flow_controller: radio}\n");
-  const QosProfiles sut(file.path());
-  EXPECT_EQ(sut.flow_controllers().at("radio").max_bytes_per_period, 12500);
-  EXPECT_EQ(sut.flow_controllers().at("radio").scheduler, "high_priority");
-  EXPECT_EQ(sut.of("bulk", "any").flow_controller, "radio");
 }
 
 TEST(QosProfiles, ATopicMayHaveItsOwnRateAndSeparation) {
@@ -182,7 +173,6 @@ TEST(QosProfiles, AnOverrideThatContradictsTheProfileIsAnError) {
 }
 
 TEST(QosProfiles, AMistakeIsAnErrorWithItsLine) {
-  const std::string flow = "flow_controllers: {radio: {max_bytes_per_period: ";
   for (const auto& [text, error, place] : std::vector<std::array<std::string, 3>>{
            {"sensor:\n  depth: 5\n  deadlinex: 1\n", "sensor.deadlinex: unknown key", ":3)"},
            {"a: {durability: persistent}",
@@ -192,14 +182,7 @@ TEST(QosProfiles, AMistakeIsAnErrorWithItsLine) {
            {"sensor: {depth: 0}", "sensor.depth: 0 is outside [1, 10000]", ":1)"},
            {"a: {}\ntopics: {slow: {depth: 2}}\n", "topics.slow.depth: unknown key", ":2)"},
            {"extends: base.yaml\nstate: {depth: 3}\n", "deadlinex", "base.yaml:2)"},
-           {flow + "255}}\n",
-            "flow_controllers.radio.max_bytes_per_period: 255 has no room for a message; allowed "
-            "are 0 (unlimited) and 256 or more",
-            ""},
-           {flow + "0}}\n", "no error", ""},
-           {flow + "256}}\n", "no error", ""},
-           {flow + "12500}}\nbulk: {flow_controller: wire}\n",
-            "bulk.flow_controller: 'wire' is not one of flow_controllers", ""}}) {
+           {"a: {flow_controller: radio}", "a.flow_controller: not supported: a process", ":1)"}}) {
     const ConfigFile file(text);
     file.write("base.yaml", "state:\n  deadlinex: 1\n");
     EXPECT_THAT(error_of([&] { QosProfiles{file.path()}; }),

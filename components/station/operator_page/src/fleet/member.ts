@@ -14,7 +14,7 @@ import { type Address, socketOf } from "./addresses.ts";
 const topics: ReadonlySet<Topic> = new Set<Topic>([
   "location", "network_quality", "transmission_state", "heartbeat", "navigation_status", "mission_status", "mission/path", "goal",
   "battery_state", "link_state", "traffic_report", "safety_status", "emergency_stop/state", "docking/status", "teleop/driver",
-  "container_state", "diagnostics", "map", "airtime_use",
+  "container_state", "diagnostics", "map", "airtime_use", "link_site",
 ]);
 
 export type Finding = Alert & { readonly kind: AlertKind };

@@ -58,7 +58,9 @@ function connectionAlert({ phase, tries, since, reason }: ConnectionState, now: 
   return { severity: "error", text: `No connection to the station for ${ageText(now - since)}${why}. Trying again.` };
 }
 
-function silenceAlert({ vehicleHeard }: Station, now: number): Alert | undefined {
+function silenceAlert({ vehicleHeard, otherSite }: Station, now: number): Alert | undefined {
+  const isElsewhere = otherSite !== undefined && now - otherSite.at <= staleAfterMs;
+  if (isElsewhere) return { severity: "info", text: `The vehicle speaks with another site, ${otherSite.value}.` };
   if (vehicleHeard === undefined) return { severity: "warning", text: "The vehicle has not been heard yet." };
   const silent = now - vehicleHeard;
   if (silent <= vehicleLostAfterMs) return undefined;

@@ -25,6 +25,7 @@ export type TrafficReport = tocsin_msgs.TrafficReport;
 export type LinkClass = tocsin_msgs.LinkClass;
 export type LinkState = tocsin_msgs.LinkState;
 export type AirtimeUse = tocsin_msgs.AirtimeUse;
+export type Text = std_msgs.String;
 export type StoredTopic = tocsin_msgs.StoredTopic;
 export type SafetyStatus = tocsin_msgs.SafetyStatus;
 export type EmergencyStopState = tocsin_msgs.EmergencyStopState;
@@ -59,6 +60,7 @@ const topics = {
   traffic_report: of<TrafficReport>(),
   link_state: of<LinkState>(),
   airtime_use: of<AirtimeUse>(),
+  link_site: of<Text>(),
   safety_status: of<SafetyStatus>(),
   "emergency_stop/state": of<EmergencyStopState>(),
   "docking/status": of<DockingStatus>(),

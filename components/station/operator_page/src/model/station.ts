@@ -94,6 +94,8 @@ export class Station {
   battery: Heard<BatteryState> | undefined;
   /** Of the channel that vehicles share. */
   airtime: Heard<AirtimeUse> | undefined;
+  /** The other site that the vehicle speaks with, told as long as it does. */
+  otherSite: Heard<string> | undefined;
   image: Heard<CompressedImage> | undefined;
   safety: Heard<SafetyStatus> | undefined;
   stop: Heard<EmergencyStopState> | undefined;
@@ -182,6 +184,7 @@ export class Station {
       side.link = { value, at };
       side.classes.onState(value, at);
     },
+    link_site: ({ data }, at) => (this.otherSite = { value: data, at }),
     safety_status: (value, at) => this.#onSafety(value, at),
     "emergency_stop/state": (value, at) => (this.stop = { value, at }),
     "docking/status": (value, at) => (this.docking = { value, at }),

@@ -107,11 +107,7 @@ constexpr const char* of_runtime = "the runtime does it, neither DDS nor Fast DD
 constexpr const char* of_fast_dds = "DDS knows no such policy; Cyclone DDS decides by itself";
 
 const std::map<std::string, const char*>& lost_to_fast_dds() {
-  constexpr const char* no_flow = "Fast DDS has flow controllers in C++ only, not in XML";
   static const std::map<std::string, const char*> lost{
-      {"flow_controller", no_flow},
-      {"priority", no_flow},
-      {"bandwidth_reservation_percent", no_flow},
       {"max_rate_hz", of_runtime},
       {"minimum_separation_s", "Fast DDS announces a time-based filter and delivers everything"}};
   return lost;
@@ -131,9 +127,6 @@ const std::map<std::string, const char*>& lost_to_cyclone() {
       {"heartbeat_response_delay_s", of_fast_dds},
       {"liveliness_announcement_s", of_fast_dds},
       {"publish_mode", of_fast_dds},
-      {"flow_controller", "Cyclone DDS has no flow controllers"},
-      {"priority", "Cyclone DDS has no flow controllers"},
-      {"bandwidth_reservation_percent", "Cyclone DDS has no flow controllers"},
       {"max_rate_hz", of_runtime},
       {"user_data", "it belongs to our readers and writers"}};
   return lost;

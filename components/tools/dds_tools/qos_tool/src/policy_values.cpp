@@ -87,10 +87,6 @@ double seconds_of(const std::string& text) {
 
 QosProfile effective(QosProfile profile) {
   profile.max_samples = profile.room();
-  if (profile.publish_mode == PublishMode::automatic) {
-    profile.publish_mode =
-        profile.flow_controller.empty() ? PublishMode::synchronous : PublishMode::asynchronous;
-  }
   if (std::isinf(profile.liveliness_announcement_s)) {
     profile.liveliness_announcement_s = profile.liveliness_lease_s / 3;
   }

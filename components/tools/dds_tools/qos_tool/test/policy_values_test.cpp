@@ -36,10 +36,7 @@ TEST(PolicyValues, TheEffectiveProfileSaysWhatTheRuntimeDecides) {
   profile.depth = 4;
   profile.liveliness_lease_s = 3;
   EXPECT_EQ(effective(profile).max_samples, 5);
-  EXPECT_EQ(effective(profile).publish_mode, PublishMode::synchronous);
   EXPECT_EQ(effective(profile).liveliness_announcement_s, 1);
-  profile.flow_controller = "radio";
-  EXPECT_EQ(effective(profile).publish_mode, PublishMode::asynchronous);
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ TEST(ProfileText, ShowsDefaultsOnlyWhenAsked) {
   EXPECT_EQ(show_text("p", profile, false), "p: {depth: 3}\n");
   EXPECT_THAT(show_text("p", profile, true),
               AllOf(HasSubstr("  depth: 3\n"), HasSubstr("  deadline_s: .inf  # default\n"),
-                    HasSubstr("  flow_controller: ''  # default\n")));
+                    HasSubstr("  user_data: ''  # default\n")));
   EXPECT_EQ(show_json("p", profile)["policies"]["deadline_s"]["default"], true);
 }
 

@@ -22,17 +22,17 @@ TEST(VendorXml, TheShippedProfilesLoseNothingOnFastDds) {
 
 TEST(VendorXml, AnExportSaysWhatTheFormatCannotSay) {
   QosProfile profile;
-  profile.flow_controller = "radio";
+  profile.max_rate_hz = 20;
   profile.minimum_separation_s = 0.5;
   profile.heartbeat_period_s = 1;
   profile.partition = {"", "a"};
   EXPECT_THAT(export_xml(Vendor::fast_dds, {{"p", profile}}).lost,
-              ElementsAre(HasSubstr("p.flow_controller: radio is lost: Fast DDS has flow"),
+              ElementsAre(HasSubstr("p.max_rate_hz: 20 is lost"),
                           HasSubstr("p.minimum_separation_s: 0.5 is lost"),
                           HasSubstr("the partition without name is lost")));
   EXPECT_THAT(export_xml(Vendor::cyclone, {{"p", profile}}).lost,
               ElementsAre(HasSubstr("p.heartbeat_period_s: 1 is lost"),
-                          HasSubstr("p.flow_controller: radio is lost")));
+                          HasSubstr("p.max_rate_hz: 20 is lost")));
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "network_monitor/network_monitor_component.hpp"
 
+#include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -46,9 +48,11 @@ void put_wireless(const network::WirelessReading& reading, const network::Wirele
   message.wireless_source(network::name(reading.source));
 }
 
-EchoTarget target_of(const NetworkMonitorComponent::Params& params) {
-  return {params.target, static_cast<std::size_t>(params.payload_bytes),
-          static_cast<std::uint8_t>(params.dscp)};
+void check_sites(const NetworkMonitorComponent::Params& params) {
+  if (params.sites.size() == params.site_targets.size()) return;
+  throw ConfigError("site_targets: " + std::to_string(params.site_targets.size()) +
+                    " addresses for " + std::to_string(params.sites.size()) +
+                    " sites; each of `sites` has one");
 }
 
 std::unique_ptr<network::WirelessDevice> open_wireless(
@@ -61,16 +65,44 @@ std::unique_ptr<network::WirelessDevice> open_wireless(
 
 NetworkMonitorComponent::NetworkMonitorComponent(Context& context, const Params& params)
     : Component(context),
-      interface_name_(params.interface_name),
-      echo_(context.devices().open<EchoDevice>(target_of(params), when_readable())),
+      params_(params),
+      devices_(context.devices()),
       probe_period_(seconds(params.probe.period_s)),
       probe_size_(ip_and_icmp_bytes + static_cast<std::size_t>(params.payload_bytes)),
       window_(params.probe),
       wireless_(open_wireless(context.devices(), params)) {
+  check_sites(params);
+  if (params.sites.size() > 1) site_.emplace(*this);
+  probe(params.target);
+}
+
+/// Opens the target first: one that is no address changes nothing.
+void NetworkMonitorComponent::probe(const std::string& target) {
+  const EchoTarget to{target, static_cast<std::size_t>(params_.payload_bytes),
+                      static_cast<std::uint8_t>(params_.dscp)};
+  auto echo = devices_.open<EchoDevice>(to, when_readable());
+  if (echo_) forget(echo_->descriptor());
+  echo_ = std::move(echo);
   wake_on(echo_->descriptor());
+  target_ = target;
+}
+
+/// What was sent to one site says nothing of the way to another.
+void NetworkMonitorComponent::follow_site() {
+  std::string site;
+  while (const auto message = site_->take()) site = message->data();
+  const auto found = std::find(params_.sites.begin(), params_.sites.end(), site);
+  if (found == params_.sites.end()) return;
+  const std::string& target =
+      params_.site_targets[static_cast<std::size_t>(std::distance(params_.sites.begin(), found))];
+  if (target == target_) return;
+  probe(target);
+  window_.forget();
+  log().info("probes go to {}, {}", site, target);
 }
 
 void NetworkMonitorComponent::tick(Time now) {
+  if (site_) follow_site();
   if (!has_begun(now)) return wake_at(*begin_);
   while (const auto reply = echo_->receive()) {
     (void)window_.on_reply(reply->sequence, reply->received_at);
@@ -112,7 +144,7 @@ void NetworkMonitorComponent::publish(const network::ProbeSample& sample, Time n
   message.stamp(wall(now));
   put_probes(sample, message);
   put_wireless(reading, trend_.update(reading), message);
-  message.interface_name(interface_name_);
+  message.interface_name(params_.interface_name);
   message.probe_bytes(probe_bytes_);
   if (quality_.write(std::move(message)) == Status::failed) log().warn("a sample was not sent");
 }
@@ -125,7 +157,7 @@ void NetworkMonitorComponent::report_change(const network::WirelessReading& read
   std::string text = std::string(network::name(reading.source)) +
                      (reading.note.empty() ? "" : ": " + reading.note);
   if (text == reported_) return;
-  log().info("wireless readings of {}: {}", interface_name_, text);
+  log().info("wireless readings of {}: {}", params_.interface_name, text);
   reported_ = std::move(text);
 }
 

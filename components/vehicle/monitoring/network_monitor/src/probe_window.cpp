@@ -35,6 +35,11 @@ void ProbeWindow::set_limits(const ProbeParams& params) {
   memory_ = window_ + static_cast<std::size_t>(on_their_way) + 1;
 }
 
+void ProbeWindow::forget() {
+  first_sequence_ = static_cast<std::uint16_t>(first_sequence_ + probes_.size());
+  probes_.clear();
+}
+
 void ProbeWindow::start(Time now) {
   if (started_) return;
   started_ = true;

@@ -170,6 +170,53 @@ TEST_F(NetworkMonitorTest, ReportsAShortOutageAsItsShareOfTheWindow) {
   EXPECT_EQ(run(8).back().per_percent(), 0.0F);
 }
 
+/// A vehicle between two sites, of which one does not answer.
+class NetworkMonitorSites : public ::testing::Test {
+ protected:
+  NetworkMonitorSites() {
+    params_.target = "10.77.0.2";
+    params_.sites = {"gcs", "south"};
+    params_.site_targets = {"10.77.0.2", "10.77.0.3"};
+    computer_.devices.add<EchoDevice>([&](const EchoTarget& at, const Devices::Readable&) {
+      return std::make_unique<ScriptedEcho>(bus_, at.address == "10.77.0.3" ? south_ : north_);
+    });
+  }
+  void speak_with(const std::string& site) {
+    topic::LinkSite::Message message;
+    message.data(site);
+    bus_.publish<topic::LinkSite>(message);
+  }
+  /// Of the last sample.
+  float per_after(double s) {
+    bus_.run_for(seconds(s));
+    return samples_.take().back().per_percent();
+  }
+  SimBus bus_;
+  Target north_{false, 0};
+  Target south_;
+  Computer computer_ = this_computer();
+  Context context_ = Context(bus_, "network_monitor", Role::uxv).with_computer(computer_);
+  NetworkMonitorComponent::Params params_;
+  SimReader<topic::NetworkQuality> samples_{bus_};
+};
+
+TEST_F(NetworkMonitorSites, ProbesTheSiteThatItsRouterSpeaksWith) {
+  NetworkMonitorComponent sut(context_, params_);
+  bus_.add(sut);
+  EXPECT_EQ(per_after(10), 100.0F);
+  speak_with("south");
+  EXPECT_EQ(per_after(3), 0.0F) << "what was lost before does not count";
+  speak_with("of another file");
+  EXPECT_EQ(per_after(5), 0.0F);
+  speak_with("gcs");
+  EXPECT_EQ(per_after(3), 100.0F);
+}
+
+TEST_F(NetworkMonitorSites, EachNeedsATarget) {
+  params_.site_targets.pop_back();
+  EXPECT_THROW(NetworkMonitorComponent(context_, params_), ConfigError);
+}
+
 /// A computer whose devices have no descriptors: replies come when the test says so.
 class ScriptedDevices {
  public:

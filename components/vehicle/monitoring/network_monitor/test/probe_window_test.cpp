@@ -62,6 +62,19 @@ TEST(ProbeWindow, SkipsMissedSlotsInsteadOfSendingABurst) {
   EXPECT_EQ(sut.take_due(thawed + milliseconds{300}), 2);
 }
 
+TEST(ProbeWindow, ForgetsWhatWasSentAndGoesOnInItsPhase) {
+  ProbeWindow sut(ProbeParams{});
+  (void)run(sut, t0, t0 + seconds(10), never_answered);
+  const Time next = sut.next_deadline();
+  sut.forget();
+  EXPECT_EQ(sut.next_deadline(), next);
+  EXPECT_EQ(sut.on_reply(30, next), ReplyKind::unknown);
+  const auto sample = run(sut, next, next + seconds(3), always);
+  ASSERT_TRUE(sample);
+  EXPECT_EQ(sample->per_percent, 0);
+  EXPECT_LT(sample->sent, 10);
+}
+
 TEST(ProbeWindow, GivesASampleEachSecondAndWakesForIt) {
   ProbeParams params;
   params.timeout_s = 0.5;

@@ -4,15 +4,9 @@
 #include <fastdds/dds/publisher/qos/DataWriterQos.hpp>
 #include <fastdds/dds/subscriber/qos/DataReaderQos.hpp>
 #include <map>
-#include <memory>
-#include <string>
 
 #include "runtime/fast_dds/names.hpp"
 #include "runtime/middleware/qos_profile.hpp"
-
-namespace eprosima::fastdds::rtps {
-struct FlowControllerDescriptor;
-}
 
 namespace tocsin {
 
@@ -28,9 +22,5 @@ enum class Keys { none, some };
 /// A heartbeat is answered after 5 ms at least.
 [[nodiscard]] eprosima::fastdds::dds::DataReaderQos reader_qos(const QosProfile& profile,
                                                                Keys keys = Keys::none);
-
-/// `name` must live as long as the participant does.
-[[nodiscard]] std::shared_ptr<eprosima::fastdds::rtps::FlowControllerDescriptor> descriptor_of(
-    const char* name, const FlowController& controller);
 
 }  // namespace tocsin

@@ -21,7 +21,7 @@ enum class Liveliness { automatic, manual_by_participant, manual_by_topic };
 enum class Ownership { shared, exclusive };
 enum class History { keep_last, keep_all };
 enum class MemoryPolicy { preallocated_with_realloc, dynamic, dynamic_reusable };
-enum class PublishMode { automatic, synchronous, asynchronous };
+enum class PublishMode { synchronous, asynchronous };
 /// In which order a reader gets the samples of several writers, weakest first.
 enum class DestinationOrder { by_reception, by_source };
 /// Of which samples a writer keeps together what belongs together, weakest first.
@@ -44,8 +44,8 @@ constexpr std::array<const char*, 2> words_of(History) { return {"keep_last", "k
 constexpr std::array<const char*, 3> words_of(MemoryPolicy) {
   return {"preallocated_with_realloc", "dynamic", "dynamic_reusable"};
 }
-constexpr std::array<const char*, 3> words_of(PublishMode) {
-  return {"automatic", "synchronous", "asynchronous"};
+constexpr std::array<const char*, 2> words_of(PublishMode) {
+  return {"synchronous", "asynchronous"};
 }
 constexpr std::array<const char*, 2> words_of(DestinationOrder) {
   return {"by_reception", "by_source"};
@@ -170,10 +170,7 @@ struct QosTiming {
 
 /// How samples leave a writer, and which of them reach a reader.
 struct QosDelivery {
-  PublishMode publish_mode = PublishMode::automatic;
-  std::string flow_controller;
-  int priority = 10;
-  int bandwidth_reservation_percent = 0;
+  PublishMode publish_mode = PublishMode::synchronous;
   int ownership_strength = 0;
   RequestedReliability requested_reliability = RequestedReliability::offered;
   double max_rate_hz = std::numeric_limits<double>::infinity();
@@ -183,12 +180,8 @@ struct QosDelivery {
   template <class Visitor>
   void visit(Visitor& v) {
     constexpr double inf = std::numeric_limits<double>::infinity();
-    visit_enum(v, "publish_mode", publish_mode, Choices{"automatic", "synchronous", "asynchronous"},
-               "automatic: asynchronous with a flow_controller, else synchronous");
-    v("flow_controller", flow_controller, "one of flow_controllers; empty: unlimited");
-    v("priority", priority, {-10, 10}, "[1] within the flow controller, -10 goes first");
-    v("bandwidth_reservation_percent", bandwidth_reservation_percent, {0, 100},
-      "[%] of the flow controller that is this writer's");
+    visit_enum(v, "publish_mode", publish_mode, Choices{"synchronous", "asynchronous"},
+               "whether a thread of Fast DDS sends, or who writes");
     v("ownership_strength", ownership_strength, {0, 1000000}, "[1] of an exclusive writer");
     visit_enum(v, "requested_reliability", requested_reliability, Choices{"offered", "best_effort"},
                "best_effort: readers hear every writer, and ask for no repair");

@@ -60,6 +60,7 @@ class LiveViewComponent final : public Component {
   OptionalInput<topic::Heartbeat> heartbeat_{*this};
   OptionalInput<topic::TrafficReport> report_{*this};
   OptionalInput<topic::LinkState> link_state_{*this};
+  OptionalInput<topic::LinkSite> site_{*this};
   OptionalInput<topic::SafetyStatus> safety_{*this};
   OptionalInput<topic::Diagnostics> diagnostics_{*this};
   std::vector<Counted> counted_;

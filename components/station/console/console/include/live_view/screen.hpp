@@ -32,9 +32,15 @@ struct Disk {
   [[nodiscard]] bool is_full() const { return free_mib * 1024 * 1024 < full_below_bytes; }
 };
 
+/// The site that the vehicle speaks with in place of this one, told as long as it does.
+struct OtherSite {
+  std::string name;
+};
+
 /// All that the view shows, as it was last heard.
 struct ViewState {
   std::optional<Heard<Disk>> disk;
+  std::optional<Heard<OtherSite>> other_site;
   std::optional<Heard<tocsin_msgs::msg::SafetyStatus>> safety;
   std::optional<Heard<tocsin_msgs::msg::MissionStatus>> mission;
   std::optional<Heard<Place>> location;

@@ -92,6 +92,7 @@ void LiveViewComponent::take_states(Time now) {
 }
 
 void LiveViewComponent::take_link_states(Time now) {
+  while (const auto message = site_.take()) view_.other_site = {{message->data()}, now};
   while (const auto message = link_state_.take()) {
     const bool from_vehicle = role_of(message->role()) == Role::uxv;
     if (from_vehicle) table_.on_sample(topic::LinkState::info.name, now);

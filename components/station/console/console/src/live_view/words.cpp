@@ -102,6 +102,10 @@ std::string trouble(const Disk& disk) {
 
 Line words(const Disk& disk, Duration) { return {{trouble(disk), Style::bad}}; }
 
+Line words(const OtherSite& site, Duration) {
+  return {{"the vehicle speaks with another one, " + printable(site.name), Style::bold}};
+}
+
 Line words(const tocsin_msgs::msg::SafetyStatus& status, Duration) {
   const std::string text = joined(hindrances(status));
   return {text.empty() ? Span{"nothing hinders"} : Span{text, Style::bad}};

@@ -20,6 +20,7 @@ namespace tocsin::view {
 
 // `age`: of the value.
 [[nodiscard]] terminal::Line words(const Disk& disk, Duration age);
+[[nodiscard]] terminal::Line words(const OtherSite& site, Duration age);
 [[nodiscard]] terminal::Line words(const tocsin_msgs::msg::SafetyStatus& status, Duration age);
 [[nodiscard]] terminal::Line words(const tocsin_msgs::msg::MissionStatus& mission, Duration age);
 [[nodiscard]] terminal::Line words(const Place& place, Duration age);

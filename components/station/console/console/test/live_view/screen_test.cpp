@@ -90,6 +90,15 @@ TEST(Screen, SaysThatTheDiskIsFullBeforeAllElse) {
   EXPECT_THAT(summary_line(state, t0, limits), HasSubstr("disk FULL"));
 }
 
+TEST(Screen, NamesTheOtherSiteThatTheVehicleSpeaksWithAsLongAsItIsTold) {
+  ViewState state = full_state();
+  state.other_site = {{"south"}, t0};
+  EXPECT_EQ(lines_of(state, t0, {80, 5}).front(),
+            "Site      the vehicle speaks with another one, south");
+  EXPECT_THAT(summary_line(state, t0, limits), HasSubstr("speaks with south"));
+  EXPECT_THAT(text_of(state, t0 + seconds(12)), Not(HasSubstr("south")));
+}
+
 TEST(Screen, AStaleStateOfTheLinkIsGreyAndAnUnknownOneIsNotShown) {
   ViewState state = routed(full_state());
   state.downlink->at = t0 - seconds(12);

@@ -4,7 +4,9 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "devices/devices.hpp"
 #include "devices/echo_device.hpp"
 #include "foundation/traffic_class.hpp"
 #include "network_monitor/probe_window.hpp"
@@ -20,6 +22,8 @@ class NetworkMonitorComponent final : public Component {
  public:
   struct Params {
     std::string target;
+    std::vector<std::string> sites;
+    std::vector<std::string> site_targets;
     int payload_bytes = 64;
     int dscp = tocsin::dscp(TrafficClass::low);
     std::string interface_name = "wlan0";
@@ -30,6 +34,8 @@ class NetworkMonitorComponent final : public Component {
     void visit(Visitor& v) {
       v("target", target,
         "IPv4 address to probe; in a bringup file the first peer of its host, unless it is set");
+      v("sites", sites, "names of the sites of this host, where there are several; as `target`");
+      v("site_targets", site_targets, "IPv4 address to probe while it speaks with each of them");
       v("payload_bytes", payload_bytes, {8, 1400}, "[byte] payload of a probe, as of ping -s");
       v("dscp", dscp, {0, 63},
         "[1] DSCP of probes: class low's, so that the PER is what class low meets");
@@ -39,12 +45,15 @@ class NetworkMonitorComponent final : public Component {
     }
   };
 
-  /// ConfigError when `target` is not an IPv4 address, EnvironmentError without ICMP sockets.
+  /// ConfigError when a target is not an IPv4 address or a site has none, EnvironmentError without
+  /// ICMP sockets.
   NetworkMonitorComponent(Context& context, const Params& params);
   void set_parameters(const Params& params) { window_.set_limits(params.probe); }
   void tick(Time now) override;
 
  private:
+  void follow_site();
+  void probe(const std::string& target);
   [[nodiscard]] bool has_begun(Time now);
   void send_due(Time now);
   void publish(const network::ProbeSample& sample, Time now);
@@ -52,7 +61,10 @@ class NetworkMonitorComponent final : public Component {
   void report_change(const network::WirelessReading& reading);
 
   Output<topic::NetworkQuality> quality_{*this};
-  std::string interface_name_;
+  const Params params_;
+  const Devices devices_;
+  std::optional<OptionalInput<topic::LinkSite>> site_;  ///< where there are several
+  std::string target_;                                  ///< of echo_
   std::unique_ptr<EchoDevice> echo_;
   const Duration probe_period_;
   const std::size_t probe_size_;   ///< [B] with IP header

@@ -62,6 +62,9 @@ class ProbeWindow {
   /// Another timeout and window from now on. A probe whose reply was late stays lost.
   void set_limits(const ProbeParams& params);
 
+  /// What was sent so far no longer counts, as if it had not been sent. Sequence numbers go on.
+  void forget();
+
   /// The sequence number of a probe to send at `now`, at most one per call. Slots that were missed
   /// (the process was frozen) are skipped, not sent in a burst.
   [[nodiscard]] std::optional<std::uint16_t> take_due(Time now);
