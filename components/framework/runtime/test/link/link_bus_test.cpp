@@ -53,6 +53,38 @@ TEST_F(LinkBusTest, ASampleCrossesToAnOrdinaryReaderOfTheOtherHostWithItsWriterN
   EXPECT_GT(sample.bytes, 300U);
 }
 
+TEST_F(LinkBusTest, ARouterSendsNothingToItselfThoughBothSidesWriteTheTopic) {
+  Relay uxv(options(Role::uxv));
+  Relay gcs(options(Role::gcs));
+  const auto vehicle = process(Role::uxv);
+  const auto station = process(Role::gcs);
+  Samples here;
+  Samples there;
+  const auto near = vehicle->subscribe(endpoint<topic::Heartbeat>(), here);
+  const auto far = station->subscribe(endpoint<topic::Heartbeat>(), there);
+  const auto writer = vehicle->advertise(endpoint<topic::Heartbeat>());
+  const auto answer = station->advertise(endpoint<topic::Heartbeat>());
+  ASSERT_TRUE(write_until_heard<topic::Heartbeat>(*writer, there));
+  ASSERT_TRUE(eventually([&] {
+    (void)answer->write(std::make_shared<const topic::Heartbeat::Message>());
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    return !uxv.crossed().empty();
+  }));
+  const auto sent = [&] {
+    const LinkPackets packets = uxv.packets();
+    return packets.packets - packets.discovery_packets;
+  };
+  const auto before = sent();
+  const std::size_t crossed = gcs.crossed().size();
+  constexpr std::size_t samples = 100;
+  for (std::size_t i = 0; i < samples; ++i) {
+    (void)writer->write(std::make_shared<const topic::Heartbeat::Message>());
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  ASSERT_TRUE(eventually([&] { return gcs.crossed().size() >= crossed + samples; }));
+  EXPECT_LE(sent() - before, samples + 10);
+}
+
 TEST_F(LinkBusTest, EachSideHasANamespaceOfItsOwn) {
   BusOptions station_side = options(Role::gcs);
   station_side.ros_namespace = "uxv3";
