@@ -228,7 +228,8 @@ TEST_F(SitesTest, AreProbedByTheNetworkMonitorOfTheirVehicle) {
   const auto parameters_in = [this](const std::string& keys) {
     const std::string containers =
         ", containers: [{name: link, components: [{component: network_monitor" + keys + "}]}]}";
-    const Deployment sut = load(with(file_, "10.1.0.2]}", "10.1.0.2]" + containers));
+    const Deployment sut = load("qos: ../qos.yaml\ntraffic: ../traffic.yaml\n" +
+                                with(file_, "10.1.0.2]}", "10.1.0.2]" + containers));
     return *sut.hosts[0].containers[0].components[0].parameters;
   };
   using Texts = std::vector<std::string>;

@@ -367,6 +367,6 @@ using AllHostTopics =
          MuxInputs, MuxSetInputs, CollisionBrakeBypass, SafetyEnable, EmergencyStop, LinkStop,
          EmergencyStopRequest, EmergencyStopState, MissionPath, MissionCommand, Map, MapUpdates,
          LinkRisk, ExploreStatus, AmclPose, ParticleCloud, Plan, PlanChoice, GlobalCostmap,
-         LocalCostmap, CollisionMonitorState, LinkBudget, LogRequest, ContainerState>;
+         LocalCostmap, CollisionMonitorState, LinkBudget, LinkSite, LogRequest, ContainerState>;
 
 }  // namespace tocsin::topic
