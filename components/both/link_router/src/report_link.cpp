@@ -25,7 +25,8 @@ ReportLink::ReportLink(Component& owner, ReportOutputs& outputs, const LinkParts
 void ReportLink::finish(Instant at) {
   if (at.now >= next_budget_) report_budgets(at);
   const bool is_due = at.now >= next_report_;
-  if (is_due || sites_.spoken_with(at.now) != told_site_) report_site(at);
+  const std::string site = sites_.to_tell(at.now);
+  if (is_due || site != told_site_) report_site(site);
   if (!is_due) return;
   next_report_ = owner_.next_instant(report_period, at.now);
   if (sites_.is_left()) return;
@@ -72,11 +73,11 @@ void ReportLink::report_link(Instant at) {
   write(outputs_.link_state, std::move(report));
 }
 
-void ReportLink::report_site(Instant at) {
-  told_site_ = sites_.spoken_with(at.now);
-  if (told_site_.empty() || (sites_.role() == Role::gcs && !sites_.is_left())) return;
+void ReportLink::report_site(const std::string& site) {
+  told_site_ = site;
+  if (site.empty()) return;
   topic::LinkSite::Message message;
-  message.data(printable(told_site_));
+  message.data(printable(site));
   write(outputs_.site, std::move(message));
 }
 

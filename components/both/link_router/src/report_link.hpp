@@ -38,7 +38,7 @@ class ReportLink final : public LinkService {
  private:
   void report_budgets(Instant at);
   void report_link(Instant at);
-  void report_site(Instant at);
+  void report_site(const std::string& site);
   void report_traffic(Instant at);
   /// What every report begins with.
   template <class Message>

@@ -49,9 +49,9 @@ void SiteLink::take(const StopNews& news, Time now) {
   if (role_ == Role::uxv) follow_choice(now);
 }
 
-std::string SiteLink::spoken_with(Time now) const {
+std::string SiteLink::to_tell(Time now) const {
   if (role_ == Role::uxv) return chosen();
-  return now - told_at_ < told_for ? told_ : "";
+  return is_left() && now - told_at_ < told_for ? told_ : "";
 }
 
 void SiteLink::follow_choice(Time now) {

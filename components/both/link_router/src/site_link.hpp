@@ -25,8 +25,9 @@ class SiteLink {
   [[nodiscard]] Role role() const { return role_; }
   /// The host of the site that this vehicle speaks with; empty when it has no choice.
   [[nodiscard]] std::string chosen() const { return choice_.chosen(); }
-  /// The same; at a site, of its vehicle, while that is received.
-  [[nodiscard]] std::string spoken_with(Time now) const;
+  /// What is to be told: the same; at a site, the other one that its vehicle speaks with, while the
+  /// vehicle is received. Empty: nothing.
+  [[nodiscard]] std::string to_tell(Time now) const;
   /// Whether this is a site, and its vehicle speaks with another one.
   [[nodiscard]] bool is_left() const { return !told_.empty() && told_ != host_; }
 

@@ -73,6 +73,7 @@ NetworkMonitorComponent::NetworkMonitorComponent(Context& context, const Params&
       wireless_(open_wireless(context.devices(), params)) {
   check_sites(params);
   if (params.sites.size() > 1) site_.emplace(*this);
+  for (const std::string& one : params.site_targets) probe(one);  // one that is none throws now
   probe(params.target);
 }
 

@@ -217,6 +217,16 @@ TEST_F(NetworkMonitorSites, EachNeedsATarget) {
   EXPECT_THROW(NetworkMonitorComponent(context_, params_), ConfigError);
 }
 
+TEST(NetworkMonitorOnThisComputer, RefusesATargetOfASiteThatIsNoAddressBeforeItIsNeeded) {
+  SimBus bus;
+  Context context(bus, "network_monitor", Role::uxv);
+  NetworkMonitorComponent::Params params;
+  params.target = "127.0.0.1";
+  params.sites = {"gcs", "south"};
+  params.site_targets = {"127.0.0.1", "nowhere"};
+  EXPECT_THROW(NetworkMonitorComponent(context, params), ConfigError);
+}
+
 /// A computer whose devices have no descriptors: replies come when the test says so.
 class ScriptedDevices {
  public:

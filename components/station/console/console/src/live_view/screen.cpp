@@ -83,15 +83,12 @@ Line way_line(const Heard<tocsin_msgs::msg::LinkState>& heard, const Viewing& vi
   return line;
 }
 
-bool is_elsewhere(const ViewState& state, const Viewing& viewing) {
-  return state.other_site && viewing.freshness_of(*state.other_site) == Freshness::fresh;
-}
-
 std::vector<Line> head_lines(const ViewState& state, const Viewing& viewing) {
   std::vector<Line> lines;
   const bool is_full = state.disk && state.disk->value.is_full();
   if (is_full) lines.push_back(told("Disk", state.disk, "", viewing));
-  if (is_elsewhere(state, viewing)) lines.push_back(told("Site", state.other_site, "", viewing));
+  const auto site = view::elsewhere(state, viewing.now, viewing.limits);
+  if (site) lines.push_back(told("Site", site, "", viewing));
   if (safety_matters(state, viewing)) lines.push_back(told("Safety", state.safety, "", viewing));
   lines.push_back(told("Mission", state.mission, "no status yet", viewing));
   lines.push_back(vehicle_line(state, viewing));

@@ -48,10 +48,8 @@ std::string summary_line(const ViewState& state, Time now, const FreshnessLimits
   summary.tell("safety", state.safety, [](const tocsin_msgs::msg::SafetyStatus& safety) {
     return joined(hindrances(safety));
   });
-  if (state.other_site && freshness(now - state.other_site->at, limits) == Freshness::fresh) {
-    summary.tell("site", state.other_site,
-                 [](const OtherSite& site) { return "speaks with " + site.name; });
-  }
+  summary.tell("site", view::elsewhere(state, now, limits),
+               [](const OtherSite& site) { return "speaks with " + site.name; });
   if (state.disk && state.disk->value.is_full()) {
     summary.tell("disk", state.disk,
                  [](const Disk& disk) { return "disk " + view::trouble(disk); });

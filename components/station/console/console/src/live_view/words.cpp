@@ -96,6 +96,12 @@ Line words(const tocsin_msgs::msg::TransmissionState& state, Duration age) {
   return words;
 }
 
+std::optional<Heard<OtherSite>> elsewhere(const ViewState& state, Time now,
+                                          const FreshnessLimits& limits) {
+  const auto& site = state.other_site;
+  return site && freshness(now - site->at, limits) == Freshness::fresh ? site : std::nullopt;
+}
+
 std::string trouble(const Disk& disk) {
   return disk.is_full() ? "FULL: recordings and logs are lost" : "";
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "live_view/screen.hpp"
@@ -15,6 +16,9 @@ namespace tocsin::view {
                                    const char* between);
 [[nodiscard]] std::string place_text(const Place& place);
 
+/// The other site that the vehicle speaks with at `now`; empty when that is not told lately.
+[[nodiscard]] std::optional<Heard<OtherSite>> elsewhere(const ViewState& state, Time now,
+                                                        const FreshnessLimits& limits);
 /// Of a full one; empty when it is not.
 [[nodiscard]] std::string trouble(const Disk& disk);
 
