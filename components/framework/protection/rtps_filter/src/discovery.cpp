@@ -104,6 +104,10 @@ Duration lease_of(Cursor value) {
 void note_property(const Parameter& parameter, const Context& context, Announcement& announcement) {
   Cursor value = parameter.value;
   if (parameter.id == pid::builtin_endpoints) announcement.has_announcer = (value.u32() & 1U) != 0;
+  if (parameter.id == pid::user_data) {
+    const Cursor octets = value.part(value.u32());
+    announcement.user_data = {reinterpret_cast<const char*>(octets.here()), octets.left()};
+  }
   if (parameter.id != pid::lease) return;
   announcement.lease = lease_of(parameter.value);
   announcement.lease_at = {static_cast<std::size_t>(value.here() - context.packet), value.little()};

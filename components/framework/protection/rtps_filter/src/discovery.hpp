@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "foundation/time.hpp"
@@ -45,6 +46,7 @@ struct Announcement {
     bool little;  ///< its byte order
   };
   std::optional<LeasePlace> lease_at;
+  std::string_view user_data;      ///< in the packet
   bool has_announcer = false;      ///< its builtin endpoints include the one that announces it
   std::int64_t number = 0;         ///< of the sample
   Cursor content;                  ///< the payload as it was sent

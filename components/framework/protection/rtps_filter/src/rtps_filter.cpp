@@ -107,6 +107,10 @@ class Admission {
   Wrong admit_participant(const Submessage& submessage, const Announcement& what,
                           const Context& context) {
     if (context.sealed) return std::nullopt;  // comes from who may, of whom Fast DDS knows the key
+    if (!what.leaves && state_.limits.finds && !state_.limits.finds(what.user_data)) {
+      hide(submessage, context.packet);
+      return std::nullopt;
+    }
     auto read = state_.participants.announced(header_.prefix, what, from_, now_);
     if (const auto* const wrong = std::get_if<DropReason>(&read)) return *wrong;
     auto& verdict = std::get<Participants::Verdict>(read);

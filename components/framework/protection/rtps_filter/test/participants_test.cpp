@@ -42,6 +42,37 @@ TEST(Participant, IsNotDisposedByASerializedKeyThatFastDdsTakesForAKeyHash) {
             DropReason::foreign_identity);
 }
 
+Wire user_data(const std::string& text) {
+  return Wire().parameter(0x2c, Wire().text(text).bytes());
+}
+
+TEST(Participant, ThatIsNotToBeFoundIsHiddenAndNotDropped) {
+  Limits limits;
+  limits.finds = [](std::string_view data) { return data.find("of=b") == data.npos; };
+  RtpsFilter sut{limits};
+  const Inspection hidden = inspect(sut, announcement('b', user_data("of=b;")));
+  EXPECT_EQ(hidden.drop, passes);
+  EXPECT_EQ(hidden.hide.size(), 1U);
+  EXPECT_EQ(sut.participants(), 0U);
+  for (const Wire& data : {user_data("of=a;"), Wire()}) {
+    const Inspection shown = inspect(sut, announcement('a', data));
+    EXPECT_EQ(shown.drop, passes);
+    EXPECT_TRUE(shown.hide.empty());
+  }
+  EXPECT_EQ(sut.participants(), 1U);
+}
+
+// What an endpoint says of itself is its own.
+TEST(Participant, ItsEndsAreFoundWhateverTheirUserData) {
+  Limits limits;
+  limits.finds = [](std::string_view data) { return data.empty(); };
+  RtpsFilter sut{limits};
+  (void)inspect(sut, announcement('a'));
+  const Inspection shown = inspect(sut, announcement('a', user_data("of=b;"), sedp_writer));
+  EXPECT_EQ(shown.drop, passes);
+  EXPECT_TRUE(shown.hide.empty());
+}
+
 TEST(Participant, NobodyKnowsMayLeave) { EXPECT_EQ(drop_of(departure('a', 'a')), passes); }
 
 TEST(Participant, IsNotAnnouncedByAnotherSourceOnceItsSocketsAreKnown) {

@@ -40,6 +40,7 @@ BusOptions bus_options(const deployment::Deployment& whole, const deployment::Ho
     options.second_peers = host.second->peers;
   }
   options.routed_namespace = routed_namespace_of(deployment, container);
+  options.vehicle = container.vehicle;
   options.peer_names = peer_names_of(deployment, host, container);
   options.sites = host.sites;
   options.chain = drives_a_vehicle(deployment) ? VehicleChain::ours : VehicleChain::foreign;

@@ -46,7 +46,7 @@ ParticipantOptions host_options(const BusOptions& options, CallerWatch& watch) {
   host.name = options.name;
   host.domain = options.host_domain;
   host.farewell = std::chrono::milliseconds(300);
-  host.user_data = participant_user_data;
+  host.user_data = participant_data_for(options.vehicle);
   host.on_end = [&watch](const auto&, const AnnouncedEnd& end, bool) {
     if (end.writer && ros_service(end.topic)) watch.notice();
   };

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "fast_dds/remote_ends.hpp"
 #include "keystore/enclave.hpp"
 #include "runtime/fast_dds/names.hpp"
 #include "runtime/fast_dds/transport.hpp"
@@ -172,6 +173,11 @@ std::shared_ptr<PacketFilter> packet_filter(const ParticipantOptions& options) {
   const Surroundings surroundings{options.address, options.peers, is_on_link(options)};
   rtps_filter::Limits limits = limits_in(surroundings);
   limits.secured = !options.enclave.empty();
+  if (!surroundings.radio) {
+    limits.finds = [own = options.user_data](std::string_view other) {
+      return find_each_other(own, std::string(other));
+    };
+  }
   auto others = limits.secured ? std::make_shared<OtherVendors>() : nullptr;
   return std::make_shared<PacketFilter>(std::move(limits), local_in(surroundings),
                                         std::move(others), options.numbers);

@@ -13,6 +13,7 @@ namespace {
 
 const std::string layout_key = "tocsinlayout=";
 const std::string type_hash_key = "typehash=";
+const std::string vehicle_key = "tocsinvehicle=";
 
 bool layouts_differ(const AnnouncedEnd& one, const AnnouncedEnd& other) {
   return !one.layout.empty() && !other.layout.empty() && one.layout != other.layout;
@@ -51,6 +52,16 @@ bool clash(const AnnouncedEnd& own, const AnnouncedEnd& other) {
 std::string joined(const std::string& user_data, const std::string& more) {
   const bool open_end = !user_data.empty() && !more.empty() && user_data.back() != ';';
   return user_data + (open_end ? ";" : "") + more;
+}
+
+std::string participant_data_for(const std::string& vehicle) {
+  return participant_user_data + (vehicle.empty() ? "" : vehicle_key + vehicle + ";");
+}
+
+bool find_each_other(const std::string& one, const std::string& other) {
+  const std::string vehicle = value_in(one, vehicle_key);
+  const std::string others = value_in(other, vehicle_key);
+  return vehicle.empty() || others.empty() || vehicle == others;
 }
 
 std::string with_layout(const std::string& user_data, const std::string& layout) {

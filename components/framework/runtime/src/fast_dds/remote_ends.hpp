@@ -34,6 +34,12 @@ struct AnnouncedEnd {
 [[nodiscard]] std::string with_type_hash(const std::string& user_data, const std::string& hash);
 /// What our participants announce: they are of ROS 2, and of this stack.
 inline constexpr const char* participant_user_data = "enclave=/;tocsin=1;";
+/// The same of one that serves a vehicle at its station; empty: of one that serves none or all.
+[[nodiscard]] std::string participant_data_for(const std::string& vehicle);
+/// Whether who announces the one is to find who announces the other. At a station of many vehicles
+/// those that serve one have nothing to say to those that serve another, and each pair of
+/// participants that know each other tells all its ends.
+[[nodiscard]] bool find_each_other(const std::string& one, const std::string& other);
 /// Two pieces of user data in one.
 [[nodiscard]] std::string joined(const std::string& user_data, const std::string& more);
 /// The layout in user data; empty when there is none.

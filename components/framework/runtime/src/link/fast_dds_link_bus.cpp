@@ -90,7 +90,7 @@ ParticipantOptions FastDdsLinkBus::host_options() {
   ParticipantOptions host;
   host.name = options_.name + "_router";
   host.domain = options_.host_domain;
-  host.user_data = participant_user_data;
+  host.user_data = participant_data_for(options_.vehicle);
   host.on_end = [this](const auto& guid, const AnnouncedEnd& end, bool there) {
     table_.on_host_end(guid, end, there);
     service_table_.on_end(guid, end, there);

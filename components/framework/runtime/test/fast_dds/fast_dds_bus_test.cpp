@@ -30,7 +30,7 @@ class FastDdsBusTest : public ::testing::Test {
     return ++next;
   }
   /// A process of a host.
-  static std::unique_ptr<Bus> make(Role role, int domain) {
+  static std::unique_ptr<Bus> make(Role role, int domain, const std::string& vehicle = "") {
     const std::string config = std::string(TOCSIN_REPOSITORY) + "/config/";
     BusOptions options;
     options.name = to_string(role);
@@ -38,6 +38,7 @@ class FastDdsBusTest : public ::testing::Test {
     options.qos_file = config + "qos.yaml";
     options.traffic_file = config + "traffic.yaml";
     options.host_domain = domain;
+    options.vehicle = vehicle;
     return make_fast_dds_bus(options);
   }
 
@@ -74,6 +75,29 @@ TEST_F(FastDdsBusTest, ATopicReachesAnotherProcessOfItsHostAndNoOtherHost) {
   EXPECT_GT(sample.sequence, 0U);
   EXPECT_GT(sample.bytes, 300U);
   EXPECT_LE(sample.sent_wall_ns, sample.received_wall_ns);
+}
+
+TEST_F(FastDdsBusTest, ProcessesOfTwoVehiclesAtAStationDoNotFindEachOther) {
+  const int station = domain();
+  const auto writer_bus = make(Role::uxv, station, "uxv1");
+  const auto own_bus = make(Role::uxv, station, "uxv1");
+  const auto others_bus = make(Role::uxv, station, "uxv2");
+  const auto site_bus = make(Role::uxv, station);
+  Samples own;
+  Samples others;
+  Samples site;
+  const auto own_reader = own_bus->subscribe(endpoint<topic::Location>(), own);
+  const auto others_reader = others_bus->subscribe(endpoint<topic::Location>(), others);
+  const auto site_reader = site_bus->subscribe(endpoint<topic::Location>(), site);
+  const auto writer = writer_bus->advertise(endpoint<topic::Location>());
+  const auto others_writer = others_bus->advertise(endpoint<topic::Location>());
+  write_until_heard<topic::Location>(*writer, own);
+  write_until_heard<topic::Location>(*writer, site);  // which serves all
+  EXPECT_TRUE(others.all().empty());
+  own.clear();
+  site.clear();
+  write_until_heard<topic::Location>(*others_writer, site);
+  EXPECT_TRUE(own.all().empty());
 }
 
 TEST_F(FastDdsBusTest, WhatTheEnvironmentSaysToFastDdsOfRos2HasNoEffect) {

@@ -155,6 +155,20 @@ TEST_F(RemoteEndsTest, KnowsTheHashThatAnEndOfATopicAndTypeHasAnnounced) {
   EXPECT_EQ(sut.type_hash("rt/other", "Odom"), "");
 }
 
+TEST(UserData, ThoseOfTwoVehiclesDoNotFindEachOther) {
+  const std::string one = participant_data_for("uxv1");
+  const std::string eleven = participant_data_for("uxv11");
+  const std::string all = participant_data_for("");
+  EXPECT_EQ(all, participant_user_data);
+  EXPECT_FALSE(find_each_other(one, eleven));
+  EXPECT_FALSE(find_each_other(eleven, one));
+  EXPECT_TRUE(find_each_other(one, one));
+  for (const std::string& site : {all, std::string("enclave=/;"), std::string()}) {
+    EXPECT_TRUE(find_each_other(one, site)) << site;
+    EXPECT_TRUE(find_each_other(site, one)) << site;
+  }
+}
+
 TEST(UserData, TellsTheHashOfATypeThatHasOne) {
   EXPECT_EQ(with_type_hash("tocsinlayout=0a;", "RIHS01_ab"), "tocsinlayout=0a;typehash=RIHS01_ab;");
   EXPECT_EQ(with_type_hash("mine", "RIHS01_ab"), "mine;typehash=RIHS01_ab;");

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <string_view>
 
 #include "foundation/time.hpp"
 
@@ -60,6 +61,9 @@ struct Limits {
   std::function<bool(std::uint32_t address)> hears = {};
   /// Whether a locator of this address may be answered; empty: any.
   std::function<bool(std::uint32_t address)> answers = {};
+  /// Whether a participant with this user data is to be found; empty: any. Announcements of others
+  /// are hidden, and not counted as dropped.
+  std::function<bool(std::string_view user_data)> finds = {};
 };
 
 }  // namespace tocsin::rtps_filter

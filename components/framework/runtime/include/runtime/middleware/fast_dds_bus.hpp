@@ -46,6 +46,9 @@ struct BusOptions {
   /// Of a router: namespace of the topics that it takes from the host and gives there, where that
   /// is another than that of its own.
   std::optional<std::string> routed_namespace = {};
+  /// Whom the process serves at a station of several vehicles: it and those of another vehicle do
+  /// not find each other. Empty: all find it.
+  std::string vehicle = {};
 };
 
 /// The bus on Fast DDS in real time. All topics stay on the host, where any participant with the
