@@ -12,15 +12,17 @@ constexpr Duration use_period = std::chrono::seconds(1);
 
 }  // namespace
 
-AirtimeLink::AirtimeLink(Component& owner, const LinkParts& parts)
-    : owner_(owner), share_(owner), parts_(parts) {}
+AirtimeLink::AirtimeLink(Component& owner, const LinkParts& parts, Role role)
+    : owner_(owner), share_(owner), parts_(parts), has_share_(role == Role::uxv) {}
 
 void AirtimeLink::begin(Instant at) {
   if (const auto told = share_.take_latest()) {
-    if (!keeper_.has_site()) next_report_ = at.now;
-    keeper_.on_share(told->share(), told->fallback(), at.now);
+    parts_.sender.set_vehicles(told->vehicles());
+    if (has_share_ && !keeper_.has_site()) next_report_ = at.now;
+    if (has_share_) keeper_.on_share(told->share(), told->fallback(), at.now);
   }
-  parts_.sender.set_airtime_share(keeper_.share(at.now));
+  parts_.receiver.set_acknowledgement_period(parts_.sender.acknowledgement_period());
+  if (has_share_) parts_.sender.set_airtime_share(keeper_.share(at.now));
 }
 
 void AirtimeLink::finish(Instant at) {

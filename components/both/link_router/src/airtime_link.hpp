@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "foundation/role.hpp"
 #include "link_router/airtime_keeper.hpp"
 #include "link_service.hpp"
 #include "runtime/port.hpp"
@@ -10,10 +11,11 @@
 
 namespace tocsin {
 
-/// A vehicle's share of the air of its site: keeps to it, and tells the site what was used.
+/// The air of a site, which its vehicles share. Both sides reckon with their number; the vehicle
+/// also keeps to its share, and tells the site what was used.
 class AirtimeLink final : public LinkService {
  public:
-  AirtimeLink(Component& owner, const LinkParts& parts);
+  AirtimeLink(Component& owner, const LinkParts& parts, Role role);
   void begin(Instant at) override;
   void finish(Instant at) override;
   [[nodiscard]] Time deadline(Time now) const override;
@@ -24,6 +26,7 @@ class AirtimeLink final : public LinkService {
   std::optional<Output<topic::AirtimeUse>>
       use_;  ///< of a vehicle that has a site: a flow on the link
   const LinkParts parts_;
+  const bool has_share_;
   router::AirtimeKeeper keeper_;
   Time next_report_{};
 };

@@ -67,6 +67,7 @@ Duration LinkEstimator::on_received(const Received& received, Time now) {
   const auto over_least = [&] {
     return std::clamp(crossing - least_.value().value_or(crossing), Duration::zero(), most);
   };
+  if (received.sent >= frozen_) note_answer(received, now);
   if (!received.is_exact || received.sent < frozen_) return over_least();
   if (received.burst != 0 || received.cost.packets >= bulk_packets) {
     if (!least_.value()) return Duration::zero();
@@ -80,6 +81,13 @@ Duration LinkEstimator::on_received(const Received& received, Time now) {
   blend(deviation_s_, std::abs(delay_s - delay_s_), deviation_weight);
   blend(delay_s_, delay_s, delay_weight);
   return delay;
+}
+
+void LinkEstimator::note_answer(const Received& received, Time now) {
+  if (received.burst != 0 || received.cost.packets >= bulk_packets) return;
+  const double answer_s = to_seconds(now - received.sent);
+  blend(answer_deviation_s_, std::abs(answer_s - answer_s_), deviation_weight);
+  blend(answer_s_, answer_s, delay_weight);
 }
 
 void LinkEstimator::learn_capacity(const Received& received, Time arrived) {
@@ -119,6 +127,10 @@ Duration LinkEstimator::backlog(Time now) const {
 }
 
 Duration LinkEstimator::expected_delay() const { return seconds(delay_s_ + 4 * deviation_s_); }
+
+Duration LinkEstimator::expected_answer() const {
+  return seconds(std::min(answer_s_ + 4 * answer_deviation_s_, answer_max_s));
+}
 
 bool LinkEstimator::is_silent(Time now, Duration after) const {
   return unanswered_ >= silence_means && waiting_since_ && now - *waiting_since_ > after;

@@ -83,7 +83,7 @@ Disposition LinkReceiver::on_arrived(const std::string& peer, const Arrived& arr
   if (found == from.streams.end()) return Disposition::unknown_stream;
   const StreamRule& rule = found->second.rule;
   from.came_by[found->second.path] = true;
-  ask_for_acknowledgement(from, now, rule.repaired ? acknowledgement_period : relaxed_period);
+  ask_for_acknowledgement(from, now, rule.repaired ? period_ : std::max(period_, relaxed_period));
   const Disposition disposition = judge(from, rule, arrived.origin, now);
   const bool in_vain =
       disposition == Disposition::superseded || disposition == Disposition::expired;
@@ -127,11 +127,10 @@ std::optional<std::vector<std::shared_ptr<const void>>> LinkReceiver::on_piece(
     auto pieces = std::move(partial->pieces);
     partials.erase(partial);
     // The next bulk waits for it.
-    if (pieces.size() >= bulk_packets)
-      ask_for_acknowledgement(known->second, now, acknowledgement_period);
+    if (pieces.size() >= bulk_packets) ask_for_acknowledgement(known->second, now, period_);
     return pieces;
   }
-  ask_for_acknowledgement(known->second, now, relaxed_period);
+  ask_for_acknowledgement(known->second, now, std::max(period_, relaxed_period));
   note(stream, arrived.number, now);
   return std::nullopt;
 }
@@ -207,7 +206,7 @@ void LinkReceiver::ask_for_acknowledgement(Peer& peer, Time now, Duration period
 void LinkReceiver::ask_for_acknowledgement(const std::string& peer, Time now) {
   const auto known = peers_.find(peer);
   if (known == peers_.end() || !known->second.instance) return;
-  ask_for_acknowledgement(known->second, now, acknowledgement_period);
+  ask_for_acknowledgement(known->second, now, period_);
 }
 
 std::optional<LinkReceiver::Addressed> LinkReceiver::take_acknowledgement(Time now) {
@@ -224,7 +223,7 @@ std::array<bool, most_paths> LinkReceiver::paths_back(Peer& peer) {
   return paths[0] || paths[1] ? paths : std::array{true, true};
 }
 
-LinkAcknowledgement LinkReceiver::make_acknowledgement(Peer& peer, Time now) {
+LinkAcknowledgement LinkReceiver::make_acknowledgement(Peer& peer, Time now) const {
   LinkAcknowledgement acknowledgement{++peer.acknowledgements, now, {}};
   // After a silence everything is reported once more.
   const bool idle = !peer.acknowledgement_sent || now - *peer.acknowledgement_sent >= all_after;
@@ -234,8 +233,7 @@ LinkAcknowledgement LinkReceiver::make_acknowledgement(Peer& peer, Time now) {
         {id, stream.highest, now - stream.last, stream.before, stream.path});
   }
   peer.acknowledgement_sent = now;
-  peer.acknowledgement_due =
-      now + (misses_pieces(peer, now) ? acknowledgement_period : acknowledgement_idle);
+  peer.acknowledgement_due = now + (misses_pieces(peer, now) ? period_ : acknowledgement_idle);
   return acknowledgement;
 }
 

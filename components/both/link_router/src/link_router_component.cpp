@@ -68,7 +68,7 @@ LinkRouterComponent::Router::Router(Component& owner, Context& context, Logger& 
   services_.push_back(std::move(live));
   services_.push_back(std::move(acknowledgements));
   services_.push_back(std::make_unique<CallLink>(parts));
-  if (context.role == Role::uxv) services_.push_back(std::make_unique<AirtimeLink>(owner, parts));
+  services_.push_back(std::make_unique<AirtimeLink>(owner, parts, context.role));
   services_.push_back(std::move(backfill));
   if (reports_)
     services_.push_back(std::make_unique<ReportLink>(owner, *reports_, parts, services_, sites_));

@@ -34,6 +34,7 @@ LinkSender::LinkSender(const LinkRouterParams& params)
 
 void LinkSender::begin(Time now) {
   if (watch_.begins(now)) peers_.on_frozen(now);
+  follow_shared_air();
 }
 
 void LinkSender::add_stream(StreamId stream, const StreamRule& rule) {
@@ -370,8 +371,29 @@ Duration LinkSender::expected_wait(const SentSample& sent, Time now) const {
     if (entry.second.wanted.count(sent.stream) == 0) continue;
     const LinkEstimator& estimator = entry.second.estimators[sent.path];
     expected = std::max(expected, std::min(estimator.backlog(now), estimator.expected_delay()));
+    if (peers_.vehicles() > 1 && sent.path == 0) {
+      expected = std::max(expected, estimator.expected_answer() - seconds(params_.repair_first_s));
+    }
   }
   return expected;
+}
+
+Duration LinkSender::acknowledgement_period() const {
+  Duration period = router::acknowledgement_period;
+  if (peers_.vehicles() == 1) return period;
+  for (const auto& entry : peers_.all()) {
+    period = std::max(period, entry.second.estimators[0].expected_delay());
+  }
+  return std::min(period, acknowledgement_period_busy);
+}
+
+void LinkSender::follow_shared_air() {
+  if (peers_.vehicles() == 1) return;
+  Duration patience = patience_of(params_);
+  for (const auto& entry : peers_.all()) {
+    patience = std::max(patience, entry.second.estimators[0].expected_answer());
+  }
+  log_.set_patience(patience);
 }
 
 void LinkSender::choose_path(Time now) {

@@ -109,8 +109,11 @@ void Retransmitter::spend(std::size_t bytes, Time now) {
 
 double Retransmitter::allowance(Time now) const {
   const double since_s = to_seconds(now - filled_);
-  return std::min(bytes_ + params_.repair_share * peers_.capacity_bytes_per_s(now) * since_s,
-                  std::max(burst_bytes, bytes_));
+  return std::min(bytes_ + bytes_per_s(now) * since_s, std::max(burst_bytes, bytes_));
+}
+
+double Retransmitter::bytes_per_s(Time now) const {
+  return params_.repair_share * peers_.capacity_bytes_per_s(now) / peers_.vehicles();
 }
 
 bool Retransmitter::can_repair(const SentSample& sent, Time now) const {
@@ -167,9 +170,7 @@ Time Retransmitter::ready(Time now) const {
   const Time opens = pacer_.repairs_open(now);
   const double lacking = -allowance(now);
   if (lacking < 0) return opens;
-  const double rate_bytes_per_s =
-      std::max(params_.repair_share * peers_.capacity_bytes_per_s(now), 1.0);
-  return std::max(opens, now + seconds((lacking + 1) / rate_bytes_per_s));
+  return std::max(opens, now + seconds((lacking + 1) / std::max(bytes_per_s(now), 1.0)));
 }
 
 double Retransmitter::share(Time now) const {

@@ -57,6 +57,19 @@ TEST_F(LinkEstimatorTest, ForgetsAStepOfAClockWithTheWindow) {
   EXPECT_EQ(cross(small, 6 * ms + step, 30 * ms), 1 * ms);
 }
 
+TEST_F(LinkEstimatorTest, ExpectsAnAnswerWhenAnswersCameLatelyWithinABound) {
+  for (int i = 0; i < 100; ++i, now += 100 * ms) (void)cross(small, 2 * ms, 300 * ms);
+  EXPECT_NEAR(to_seconds(sut.expected_answer()), 0.3, 0.01);
+  for (int i = 0; i < 100; ++i, now += 100 * ms) {
+    (void)cross(small, 2 * ms, (i % 2 == 0 ? 200 : 400) * ms);
+  }
+  EXPECT_NEAR(to_seconds(sut.expected_answer()), 0.7, 0.05) << "its spread is 0.1 s";
+  (void)cross(bulk, 2 * ms, 20'000 * ms);
+  EXPECT_LT(sut.expected_answer(), 800 * ms) << "bulk waits for itself";
+  (void)cross(small, 2 * ms, 20'000 * ms);
+  EXPECT_EQ(sut.expected_answer(), seconds(answer_max_s));
+}
+
 TEST_F(LinkEstimatorTest, AForgedArrivalHoldsNothingBackForLong) {
   for (int i = 0; i < 20; ++i, now += 200 * ms) {
     (void)cross(small, 2 * ms);

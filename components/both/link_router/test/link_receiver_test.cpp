@@ -176,6 +176,21 @@ TEST_F(LinkReceiverTest, AcknowledgementComesSoonButNotTooOften) {
   EXPECT_EQ(sut.deadline(), first + acknowledgement_period);
 }
 
+TEST_F(LinkReceiverTest, AcknowledgementsAreAsFarApartAsTheSenderAsks) {
+  StreamRule urgent = rule();
+  urgent.repaired = true;
+  sut.on_stream("vehicle", location, urgent);
+  sut.set_acknowledgement_period(200 * ms);
+  now += 500 * ms;
+  (void)arrive(1, 1);
+  EXPECT_EQ(sut.deadline(), now + acknowledgement_delay) << "the first one waits for nothing";
+  (void)next_acknowledgement();
+  const Time first = now;
+  now += ms;
+  (void)arrive(2, 2);
+  EXPECT_EQ(sut.deadline(), first + 200 * ms);
+}
+
 TEST_F(LinkReceiverTest, AStreamIsInTheAcknowledgementsOfAMomentSoThatOneArrives) {
   const StreamId other = location + 1;
   sut.on_stream("vehicle", other, rule());

@@ -82,6 +82,69 @@ TEST(Repair, GivesUpASampleWithoutALifespanAfterABoundUnlessItIsDurable) {
   EXPECT_EQ(link.delivered[2], (Sequences{1}));
 }
 
+/// Transmissions of 50 samples on a link whose way takes 150 ms, which is longer than the first
+/// wait, and of which nothing is lost.
+std::size_t sent_for_50(unsigned vehicles) {
+  LinkPair link;
+  link.sender.set_vehicles(vehicles);
+  link.delays[0] = 150 * ms;
+  link.add(1, rule_of(TrafficClass::critical));
+  for (std::uint64_t i = 1; i <= 50; ++i) {
+    link.offer(1, i);
+    link.run(400 * ms);
+  }
+  EXPECT_EQ(link.delivered[1].size(), 50U);
+  return link.count_sent(1);
+}
+
+TEST(Repair, NothingIsSentAgainBeforeItsAcknowledgementIsDueWhereOthersShareTheAir) {
+  EXPECT_GE(sent_for_50(1), 95U);
+  for (const unsigned vehicles : {2U, 20U}) EXPECT_LE(sent_for_50(vehicles), 60U);
+}
+
+TEST(Repair, AcknowledgementsAreRarerWhereSmallSamplesWaitForSharedAir) {
+  for (const unsigned vehicles : {1U, 20U}) {
+    LinkPair link;
+    link.sender.set_vehicles(vehicles);
+    link.add(1, rule_of(TrafficClass::critical));
+    std::uint64_t sent = 0;
+    const auto cross = [&](Duration delay) {
+      link.delays[0] = delay;
+      link.offer(1, ++sent);
+      link.run(500 * ms);
+    };
+    for (int i = 0; i < 20; ++i) cross(2 * ms);
+    EXPECT_EQ(link.sender.acknowledgement_period(), acknowledgement_period);
+    for (int i = 0; i < 20; ++i) cross(i % 2 == 0 ? 150 * ms : 350 * ms);
+    EXPECT_EQ(link.sender.acknowledgement_period(),
+              vehicles == 1 ? acknowledgement_period : acknowledgement_period_busy);
+    for (int i = 0; i < 60; ++i) cross(2 * ms);
+    EXPECT_EQ(link.sender.acknowledgement_period(), acknowledgement_period) << "it is calm again";
+  }
+}
+
+std::size_t repairs_of_a_dead_link(unsigned vehicles) {
+  constexpr StreamId streams = 60;
+  LinkPair link;
+  link.sender.set_vehicles(vehicles);
+  StreamRule rule = rule_of(TrafficClass::critical);
+  rule.durable = true;
+  for (StreamId stream = 1; stream <= streams; ++stream) link.add(stream, rule);
+  link.dead = true;
+  for (StreamId stream = 1; stream <= streams; ++stream) link.offer(stream, 1);
+  link.run(10'000 * ms);
+  return link.sent.size() - streams;
+}
+
+TEST(Repair, AllWhoShareTheAirHaveOneShareOfItForRepairs) {
+  const std::size_t alone = repairs_of_a_dead_link(1);
+  const std::size_t of_twenty = repairs_of_a_dead_link(20);
+  EXPECT_LT(of_twenty, alone / 5);
+  EXPECT_GT(of_twenty, 10U) << "the link's return is found all the same";
+  EXPECT_EQ(repairs_of_a_dead_link(0), alone);
+  EXPECT_GE(repairs_of_a_dead_link(4'000'000), 10U) << "whatever is told";
+}
+
 TEST(Repair, LostAcknowledgementsCostARepairAndNoSecondDelivery) {
   LinkPair link;
   link.add(1, rule_of(TrafficClass::critical));

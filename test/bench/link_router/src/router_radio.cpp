@@ -104,6 +104,7 @@ void RouterRadio::send(std::size_t side, const router::LinkAcknowledgement& ackn
 
 void RouterRadio::serve(Time now) {
   for (std::size_t side = 0; side < 2; ++side) {
+    receivers_[side]->set_acknowledgement_period(senders_[side]->acknowledgement_period());
     while (const auto one = senders_[side]->next(now)) send(side, *one, now);
     while (const auto acknowledgement = receivers_[side]->take_acknowledgement(now)) {
       for (PathIndex path = 0; path < paths(); ++path) {

@@ -40,6 +40,10 @@ class RouterRadio {
 
   void add_stream(std::size_t side, router::StreamId stream, const router::StreamRule& rule,
                   Time now);
+  /// Both sides are told how many share the air.
+  void set_vehicles(unsigned vehicles) {
+    for (const auto& sender : senders_) sender->set_vehicles(vehicles);
+  }
   void set_usable(Usable usable) { usable_ = std::move(usable); }
   /// An echo request of the vehicle, which the station answers.
   void send_echo(Time now);

@@ -61,6 +61,7 @@ class Vehicle {
     routers_.end(0, outcome, deliver);
   }
   [[nodiscard]] router::LinkSender& sender() { return routers_.sender(0); }
+  void set_vehicles(std::size_t count) { routers_.set_vehicles(static_cast<unsigned>(count)); }
 
   SiteCounts counts;
 
@@ -116,6 +117,7 @@ class Shares {
   void give(std::deque<Vehicle>& vehicles, Time now) {
     if (division_ == Division::none || now < next_) return;
     next_ = now + share_period;
+    for (Vehicle& one : vehicles) one.set_vehicles(vehicles.size());
     if (division_ == Division::equal_bytes) return give_equal_bytes(vehicles, now);
     const auto shares = allocator_.divide(now).shares;
     for (std::size_t i = 0; i < vehicles.size(); ++i) {

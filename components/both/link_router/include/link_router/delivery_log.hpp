@@ -84,6 +84,7 @@ class DeliveryLog {
  public:
   /// `patience` beyond the expected arrival a transmission is given up.
   explicit DeliveryLog(Duration patience) : patience_(patience) {}
+  void set_patience(Duration patience) { patience_ = patience; }
 
   struct Copy {
     PeerIndex peer = 0;

@@ -22,11 +22,15 @@ inline constexpr Duration acknowledgement_delay = std::chrono::milliseconds(20);
 /// them, and else.
 inline constexpr Duration acknowledgement_period = std::chrono::milliseconds(50);
 inline constexpr Duration relaxed_period = std::chrono::milliseconds(100);
+/// The former at most, where vehicles share air that is busy.
+inline constexpr Duration acknowledgement_period_busy = std::chrono::milliseconds(200);
 /// The same at most: when nothing is received.
 inline constexpr Duration acknowledgement_idle = std::chrono::seconds(1);
 
 /// The longest wait between two repairs: a link that is back is found within it. [s]
 inline constexpr double repair_max_s = 0.5;
+/// The longest wait for an acknowledgement that is expected of air which others share. [s]
+inline constexpr double answer_max_s = 1;
 /// Samples without a lifespan are repaired for so long; durable ones until they are superseded.
 inline constexpr Duration repair_lifespan = std::chrono::seconds(5);
 
@@ -47,6 +51,9 @@ inline constexpr Duration clock_window = std::chrono::seconds(30);
 inline constexpr double free_start_bytes_per_s = 500'000;
 /// What a share of the air carries is learned anew so often: fading has come and gone.
 inline constexpr Duration airtime_window = std::chrono::seconds(10);
+
+/// [1] that are reckoned with on one channel, whatever is told.
+inline constexpr unsigned most_vehicles = 100;
 
 /// [1] of the capacity, for adaptive streams and all others together: the rest is room for repairs
 /// and for a capacity that falls.

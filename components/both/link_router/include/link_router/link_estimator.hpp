@@ -91,6 +91,9 @@ class LinkEstimator {
   /// The wait that a small sample must reckon with before an acknowledgement can name it: recent
   /// delays with their spread.
   [[nodiscard]] Duration expected_delay() const;
+  /// From a small sample to its acknowledgement lately, with its spread (RFC 6298), at most
+  /// `answer_max_s`. Where others share the air, both ways wait for them, whatever is sent here.
+  [[nodiscard]] Duration expected_answer() const;
   /// [0, 1] recent share that was lost.
   [[nodiscard]] double loss() const { return loss_; }
   /// Nothing has been acknowledged for so long that the link counts as dead.
@@ -105,6 +108,7 @@ class LinkEstimator {
   void start_over(Time now);
 
  private:
+  void note_answer(const Received& received, Time now);
   void learn_capacity(const Received& received, Time arrived);
 
   WindowedMinimum least_{
@@ -118,11 +122,13 @@ class LinkEstimator {
   double loss_ = 0;
   double delay_s_ = 0;      ///< smoothed, RFC 6298
   double deviation_s_ = 0;  ///< smoothed
-  Time drained_{};          ///< when the model's queue is empty
-  Time paid_{};             ///< until then the limit is used up
-  Time share_used_{};       ///< until then the share of the air is used up
-  Time spent_at_{};         ///< the last time that something was
-  double phase_ = 0;        ///< [0, 1) of what was spent then
+  double answer_s_ = 0;     ///< the same until the acknowledgement
+  double answer_deviation_s_ = 0;
+  Time drained_{};     ///< when the model's queue is empty
+  Time paid_{};        ///< until then the limit is used up
+  Time share_used_{};  ///< until then the share of the air is used up
+  Time spent_at_{};    ///< the last time that something was
+  double phase_ = 0;   ///< [0, 1) of what was spent then
   struct Measurement {
     std::uint64_t burst = 0;
     Time turn{};                    ///< of its bulk in the radio

@@ -67,6 +67,8 @@ class LinkReceiver {
   [[nodiscard]] std::optional<std::vector<std::shared_ptr<const void>>> on_piece(
       const std::string& peer, const Arrived& arrived, Time now);
 
+  /// Between two acknowledgements that repairs wait for, see LinkSender::acknowledgement_period().
+  void set_acknowledgement_period(Duration period) { period_ = period; }
   /// There is something to report to the peer besides.
   void ask_for_acknowledgement(const std::string& peer, Time now);
   /// An acknowledgement that is due at `now`, the peer that it is for, and by which paths it goes:
@@ -122,12 +124,13 @@ class LinkReceiver {
                                                SourceId source);
   /// Not sooner than `period` after the last one.
   static void ask_for_acknowledgement(Peer& peer, Time now, Duration period);
-  [[nodiscard]] static LinkAcknowledgement make_acknowledgement(Peer& peer, Time now);
+  [[nodiscard]] LinkAcknowledgement make_acknowledgement(Peer& peer, Time now) const;
   [[nodiscard]] static std::array<bool, most_paths> paths_back(Peer& peer);
   /// Whether the peer should hear soon that pieces are still missing.
   [[nodiscard]] static bool misses_pieces(const Peer& peer, Time now);
 
   std::map<std::string, Peer> peers_;
+  Duration period_ = acknowledgement_period;
 };
 
 }  // namespace tocsin::router

@@ -79,6 +79,13 @@ class LinkSender {
   /// (0, 1] of the air of the first path, where several share it, for what classes normal and low
   /// send and what is backfilled; small samples do not wait for it. Empty: all of it.
   void set_airtime_share(std::optional<double> share) { peers_.set_airtime_share(share); }
+  /// [1] that share the air, ours included. Repairs wait for the acknowledgement that is to be
+  /// expected there, and take this part of the capacity's share for repairs: who repeats what has
+  /// arrived takes the air in which the acknowledgement would come.
+  void set_vehicles(unsigned vehicles) { peers_.set_vehicles(vehicles); }
+  /// How far apart acknowledgements are that go the same way: 50 ms, and up to 200 ms where small
+  /// samples wait so long for air that others share.
+  [[nodiscard]] Duration acknowledgement_period() const;
   /// Whether something has waited for the share since the last call, or was made smaller for it.
   [[nodiscard]] bool take_share_missed() { return std::exchange(share_missed_, false); }
   /// [B/s] that the way carries when nobody else sends.
@@ -188,6 +195,8 @@ class LinkSender {
   [[nodiscard]] bool goes_by_both(const SentSample& sent, Time now) const;
   [[nodiscard]] PathIndex path_of_repair(const SentSample& sent, Time now) const;
   [[nodiscard]] Duration expected_wait(const SentSample& sent, Time now) const;
+  /// What is not acknowledged counts as lost when its acknowledgement was to be expected.
+  void follow_shared_air();
   void choose_path(Time now);
   /// An acknowledgement says that something arrived by the path.
   void on_arrivals(LinkedPeer& peer, PathIndex path, bool was_silent, Time now);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
@@ -48,6 +49,9 @@ class LinkedPeers {
   void add_path(double most_bytes_per_s);
   /// (0, 1] of the air of the first path for what waits for the radio; empty: all of it.
   void set_airtime_share(std::optional<double> share);
+  /// [1] that share the air of the first path, ours included; 1 or less: nobody else.
+  void set_vehicles(unsigned vehicles) { vehicles_ = std::clamp(vehicles, 1U, most_vehicles); }
+  [[nodiscard]] unsigned vehicles() const { return vehicles_; }
   /// This process was frozen until `now`.
   void on_frozen(Time now);
   [[nodiscard]] bool has_two_paths() const { return second_bytes_per_s_.has_value(); }
@@ -93,6 +97,7 @@ class LinkedPeers {
   PeerIndex last_ = 0;
   std::optional<double> second_bytes_per_s_;  ///< empty: there is one path
   std::optional<double> airtime_share_;
+  unsigned vehicles_ = 1;
   PathChoice choice_;
 };
 

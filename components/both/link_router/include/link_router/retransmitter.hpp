@@ -67,6 +67,7 @@ class Retransmitter {
   [[nodiscard]] bool can_repair(const SentSample& sent, Time now) const;
   [[nodiscard]] bool may_repair(const SentSample& sent, Time now) const;
   [[nodiscard]] double allowance(Time now) const;
+  [[nodiscard]] double bytes_per_s(Time now) const;
   [[nodiscard]] Time ready(Time now) const;
 
   const LinkRouterParams params_;
