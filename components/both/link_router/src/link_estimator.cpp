@@ -43,6 +43,12 @@ std::optional<Duration> WindowedMinimum::value() const {
   return current_;
 }
 
+void SmoothedTime::add(Duration time) {
+  const double time_s = to_seconds(time);
+  blend(deviation_s_, std::abs(time_s - mean_s_), deviation_weight);
+  blend(mean_s_, time_s, delay_weight);
+}
+
 Time LinkEstimator::on_sent(const WireCost& cost, Time now, bool of_share) {
   drained_ =
       std::max(drained_, now) + seconds(static_cast<double>(cost.bytes) / capacity_bytes_per_s_);
@@ -67,9 +73,10 @@ Duration LinkEstimator::on_received(const Received& received, Time now) {
   const auto over_least = [&] {
     return std::clamp(crossing - least_.value().value_or(crossing), Duration::zero(), most);
   };
-  if (received.sent >= frozen_) note_answer(received, now);
+  const bool is_bulk = received.burst != 0 || received.cost.packets >= bulk_packets;
+  if (!is_bulk && received.sent >= frozen_) answer_.add(now - received.sent);
   if (!received.is_exact || received.sent < frozen_) return over_least();
-  if (received.burst != 0 || received.cost.packets >= bulk_packets) {
+  if (is_bulk) {
     if (!least_.value()) return Duration::zero();
     const Duration delay = over_least();
     learn_capacity(received, received.sent + delay);
@@ -77,17 +84,8 @@ Duration LinkEstimator::on_received(const Received& received, Time now) {
   }
   least_.add(crossing, now);
   const Duration delay = over_least();
-  const double delay_s = to_seconds(delay);
-  blend(deviation_s_, std::abs(delay_s - delay_s_), deviation_weight);
-  blend(delay_s_, delay_s, delay_weight);
+  delay_.add(delay);
   return delay;
-}
-
-void LinkEstimator::note_answer(const Received& received, Time now) {
-  if (received.burst != 0 || received.cost.packets >= bulk_packets) return;
-  const double answer_s = to_seconds(now - received.sent);
-  blend(answer_deviation_s_, std::abs(answer_s - answer_s_), deviation_weight);
-  blend(answer_s_, answer_s, delay_weight);
 }
 
 void LinkEstimator::learn_capacity(const Received& received, Time arrived) {
@@ -126,10 +124,10 @@ Duration LinkEstimator::backlog(Time now) const {
   return std::max(std::max({drained_, paid_, share_used_}) - now, Duration::zero());
 }
 
-Duration LinkEstimator::expected_delay() const { return seconds(delay_s_ + 4 * deviation_s_); }
+Duration LinkEstimator::expected_delay() const { return seconds(delay_.bound_s()); }
 
 Duration LinkEstimator::expected_answer() const {
-  return seconds(std::min(answer_s_ + 4 * answer_deviation_s_, answer_max_s));
+  return seconds(std::min(answer_.bound_s(), answer_max_s));
 }
 
 bool LinkEstimator::is_silent(Time now, Duration after) const {
@@ -147,8 +145,7 @@ void LinkEstimator::start_over(Time now) {
     capacity_bytes_per_s_ = std::max(capacity_bytes_per_s_ / 2, least_capacity_bytes_per_s);
   measured_ = false;
   drained_ = now;
-  delay_s_ = 0;
-  deviation_s_ = 0;
+  delay_ = {};
   waiting_since_.reset();
   unanswered_ = 0;
 }

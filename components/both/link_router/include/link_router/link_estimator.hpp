@@ -29,6 +29,18 @@ class WindowedMinimum {
   std::optional<Duration> previous_;
 };
 
+/// Mean and deviation of times, smoothed (RFC 6298, 2.3).
+class SmoothedTime {
+ public:
+  void add(Duration time);
+  /// What is not later than this is in time: the mean and four deviations. [s]
+  [[nodiscard]] double bound_s() const { return mean_s_ + 4 * deviation_s_; }
+
+ private:
+  double mean_s_ = 0;
+  double deviation_s_ = 0;
+};
+
 /// What one peer's acknowledgements say of the way to it: capacity, queueing delay, loss, silence.
 ///
 /// Model: the radio's queue is a line that drains at the capacity. What is sent adds to it; what
@@ -108,7 +120,6 @@ class LinkEstimator {
   void start_over(Time now);
 
  private:
-  void note_answer(const Received& received, Time now);
   void learn_capacity(const Received& received, Time arrived);
 
   WindowedMinimum least_{
@@ -120,15 +131,13 @@ class LinkEstimator {
   bool is_capacity_measured_ = false;
   bool measured_ = false;  ///< the capacity, since the last start_over()
   double loss_ = 0;
-  double delay_s_ = 0;      ///< smoothed, RFC 6298
-  double deviation_s_ = 0;  ///< smoothed
-  double answer_s_ = 0;     ///< the same until the acknowledgement
-  double answer_deviation_s_ = 0;
-  Time drained_{};     ///< when the model's queue is empty
-  Time paid_{};        ///< until then the limit is used up
-  Time share_used_{};  ///< until then the share of the air is used up
-  Time spent_at_{};    ///< the last time that something was
-  double phase_ = 0;   ///< [0, 1) of what was spent then
+  SmoothedTime delay_;   ///< of small samples, over the least
+  SmoothedTime answer_;  ///< from their sending to their acknowledgement
+  Time drained_{};       ///< when the model's queue is empty
+  Time paid_{};          ///< until then the limit is used up
+  Time share_used_{};    ///< until then the share of the air is used up
+  Time spent_at_{};      ///< the last time that something was
+  double phase_ = 0;     ///< [0, 1) of what was spent then
   struct Measurement {
     std::uint64_t burst = 0;
     Time turn{};                    ///< of its bulk in the radio
