@@ -30,6 +30,7 @@ LinkSender::LinkSender(const LinkRouterParams& params)
       retransmitter_(params, peers_, pacer_, gate_),
       adaptation_(params) {
   check(params);
+  set_vehicles(static_cast<unsigned>(params.vehicles));
 }
 
 void LinkSender::begin(Time now) {
@@ -379,21 +380,16 @@ Duration LinkSender::expected_wait(const SentSample& sent, Time now) const {
 }
 
 Duration LinkSender::acknowledgement_period() const {
-  Duration period = router::acknowledgement_period;
-  if (peers_.vehicles() == 1) return period;
-  for (const auto& entry : peers_.all()) {
-    period = std::max(period, entry.second.estimators[0].expected_delay());
-  }
-  return std::min(period, acknowledgement_period_busy);
+  if (peers_.vehicles() == 1) return router::acknowledgement_period;
+  return std::clamp(peers_.longest(&LinkEstimator::expected_delay), router::acknowledgement_period,
+                    acknowledgement_period_busy);
 }
 
 void LinkSender::follow_shared_air() {
-  if (peers_.vehicles() == 1) return;
-  Duration patience = patience_of(params_);
-  for (const auto& entry : peers_.all()) {
-    patience = std::max(patience, entry.second.estimators[0].expected_answer());
-  }
-  log_.set_patience(patience);
+  const Duration alone = patience_of(params_);
+  log_.set_patience(peers_.vehicles() == 1
+                        ? alone
+                        : std::max(alone, peers_.longest(&LinkEstimator::expected_answer)));
 }
 
 void LinkSender::choose_path(Time now) {

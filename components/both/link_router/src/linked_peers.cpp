@@ -130,6 +130,12 @@ double LinkedPeers::share_bytes_per_s(Time now) const {
   return one == nullptr ? std::numeric_limits<double>::infinity() : one->share_bytes_per_s();
 }
 
+Duration LinkedPeers::longest(Duration (LinkEstimator::*get)() const) const {
+  Duration longest{0};
+  for (const auto& entry : peers_) longest = std::max(longest, (entry.second.estimators[0].*get)());
+  return longest;
+}
+
 Duration LinkedPeers::backlog(PathIndex path, Time now) const {
   Duration longest{0};
   for (const auto& entry : peers_) {

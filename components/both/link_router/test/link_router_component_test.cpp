@@ -403,6 +403,26 @@ TEST_F(LinkRouterTest, KeepsToItsShareOfTheAirAndTellsWhatItUsed) {
   EXPECT_FLOAT_EQ(uses.take().back().share(), 0.01F) << "the site is silent";
 }
 
+TEST_F(LinkRouterTest, BothSidesReckonWithAllWhoShareTheAir) {
+  const auto sent_in_300_ms = [this](Role role, std::uint16_t vehicles) {
+    start_as(role);
+    tocsin_msgs::msg::AirtimeShare share;
+    share.share(1);
+    share.vehicles(vehicles);
+    host_->bus.publish<topic::AirtimeShare>(share);
+    const FlowId flow = begin("heartbeat");
+    meet();
+    listen(flow);
+    write(1);
+    run(0.3);
+    return script_.sent_on(flow);
+  };
+  for (const Role role : {Role::uxv, Role::gcs}) {
+    EXPECT_GT(sent_in_300_ms(role, 1), 1U) << name(role);
+    EXPECT_EQ(sent_in_300_ms(role, 20), 1U) << name(role) << ": an answer takes longer there";
+  }
+}
+
 TEST_F(LinkRouterTest, TellsTheStateOfTheLinkAndOfEachTopicOnceASecond) {
   begin("battery_state");
   set_active(false);

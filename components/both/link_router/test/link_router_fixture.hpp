@@ -19,18 +19,22 @@ inline constexpr FlowId peer_flow = 600;
 inline constexpr FlowId acknowledgement_flow = 601;
 inline constexpr PeerId station = 77;
 
-/// A router of the vehicle on a scripted link, in virtual time.
+/// A router, of the vehicle unless a test says else, on a scripted link, in virtual time.
 class LinkRouterTest : public ::testing::Test {
  protected:
-  LinkRouterTest() {
-    script_.rules =
-        TrafficRules(std::string(TOCSIN_REPOSITORY) + "/config/traffic.yaml", Role::uxv);
+  LinkRouterTest() { start_as(Role::uxv); }
+  /// A router of that side begins on a link where nothing has happened.
+  void start_as(Role role) {
+    host_.reset();
+    script_ = {};
+    role_ = role;
+    script_.rules = TrafficRules(std::string(TOCSIN_REPOSITORY) + "/config/traffic.yaml", role);
     start({}, this_computer());
   }
   /// An instance of the router; the one before has ended.
   void start(const LinkRouterComponent::Params& params, const Computer& computer) {
     host_.reset();
-    host_.emplace(script_, params, computer);
+    host_.emplace(script_, role_, params, computer);
     run(0);
   }
 
@@ -114,9 +118,10 @@ class LinkRouterTest : public ::testing::Test {
   void run(double s) { host_->bus.run_for(seconds(s)); }
 
   struct Host {
-    Host(ScriptedLink& script, const LinkRouterComponent::Params& params, const Computer& computer)
+    Host(ScriptedLink& script, Role role, const LinkRouterComponent::Params& params,
+         const Computer& computer)
         : bus(script),
-          context(Context(bus, "link_router", Role::uxv).with_computer(computer)),
+          context(Context(bus, "link_router", role).with_computer(computer)),
           router(context, params) {
       bus.add(router);
     }
@@ -127,6 +132,7 @@ class LinkRouterTest : public ::testing::Test {
     SimReader<topic::TrafficReport> reports{bus};
     LinkRouterComponent router;
   };
+  Role role_ = Role::uxv;
   ScriptedLink script_;
   std::optional<Host> host_;
 };

@@ -85,8 +85,9 @@ TEST(Repair, GivesUpASampleWithoutALifespanAfterABoundUnlessItIsDurable) {
 /// Transmissions of 50 samples on a link whose way takes 150 ms, which is longer than the first
 /// wait, and of which nothing is lost.
 std::size_t sent_for_50(unsigned vehicles) {
-  LinkPair link;
-  link.sender.set_vehicles(vehicles);
+  LinkRouterParams params;
+  params.vehicles = static_cast<int>(vehicles);
+  LinkPair link(params);
   link.delays[0] = 150 * ms;
   link.add(1, rule_of(TrafficClass::critical));
   for (std::uint64_t i = 1; i <= 50; ++i) {

@@ -79,7 +79,8 @@ double AirtimeAllocator::wanted(const Vehicle& vehicle, double even) {
   return std::max(room * use.used, idle_part * even);
 }
 
-AirtimeAllocator::Division AirtimeAllocator::divide(Time now) const {
+AirtimeAllocator::Division AirtimeAllocator::divide(Time now) {
+  if (!begun_) begun_ = now;
   const double fallback =
       vehicles_.size() > 1 ? params_.air / static_cast<double>(vehicles_.size()) : 1;
   Division division{std::vector<Share>(vehicles_.size(), Share{fallback, fallback}), 0};
@@ -90,7 +91,7 @@ AirtimeAllocator::Division AirtimeAllocator::divide(Time now) const {
     claims.push_back({i, weight_of(vehicles_[i]), 0});
     weights += claims.back().weight;
   }
-  division.heard = claims.size();
+  division.vehicles = now - *begun_ < starting ? vehicles_.size() : claims.size();
   if (claims.size() == 1) {
     division.shares[claims.front().vehicle].share = 1;
     return division;

@@ -73,7 +73,7 @@ void AirtimeAllocatorComponent::tick(Time now) {
     message->stamp(wall(now));
     message->share(static_cast<float>(division.shares[i].share));
     message->fallback(static_cast<float>(division.shares[i].fallback));
-    message->vehicles(static_cast<std::uint16_t>(division.heard));
+    message->vehicles(static_cast<std::uint16_t>(division.vehicles));
     (void)vehicles_[i].share->write(message);  // the next one replaces it
   }
 }

@@ -24,6 +24,15 @@ TEST(AirtimeAllocator, AloneAVehicleHasAllOfTheAir) {
   EXPECT_DOUBLE_EQ(sut.divide(t0).shares[1].fallback, 0.2);
 }
 
+TEST(AirtimeAllocator, CountsAllWhileTheyStartAndThenThoseThatAreHeard) {
+  AirtimeAllocator sut({0.6, 4}, 3);
+  EXPECT_EQ(sut.divide(t0).vehicles, 3U);
+  const Time before_its_end = t0 + AirtimeAllocator::starting - std::chrono::milliseconds(1);
+  sut.on_use(1, {0.1, 1, false}, before_its_end);
+  EXPECT_EQ(sut.divide(before_its_end).vehicles, 3U);
+  EXPECT_EQ(sut.divide(t0 + AirtimeAllocator::starting).vehicles, 1U);
+}
+
 TEST(AirtimeAllocator, AllThatWantMoreHaveTheSame) {
   AirtimeAllocator sut({0.6, 4}, 3);
   for (std::size_t i = 0; i < 3; ++i) sut.on_use(i, {0.2, 0.2, false}, t0);

@@ -63,6 +63,15 @@ void set_only_station(const Deployment& deployment, const Host& host, ComponentI
   parameters["only_station"] = false;
 }
 
+/// Before the first airtime_share tells it, a router knows from the file who shares the air. A
+/// relay has its site on wire.
+void set_vehicles(std::size_t vehicles, ComponentInstance& instance) {
+  if (vehicles < 2 || instance.component != "link_router" || (*instance.parameters)["vehicles"])
+    return;
+  YAML::Node parameters = *instance.parameters;
+  parameters["vehicles"] = vehicles;
+}
+
 /// A file of parameters is for all: a variable that only vehicles have stays in it as it is.
 void reject_variables(const YAML::Node& node, const std::string& owner,
                       const YamlSources& sources) {
@@ -271,6 +280,7 @@ void BringupReader::merge(Host& host, Container& container) const {
     }
     set_target(facing, instance);
     set_only_station(deployment_, host, instance);
+    if (!is_relay_) set_vehicles(vehicles_.size(), instance);
   }
 }
 

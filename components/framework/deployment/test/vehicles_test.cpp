@@ -120,6 +120,14 @@ TEST_F(VehiclesTest, FilesOfParametersKnowTheVehicle) {
   EXPECT_EQ(parameter(sut, "gcs", "uxv2_link", "target"), "10.77.0.12");
 }
 
+TEST_F(VehiclesTest, RoutersKnowHowManyShareTheAir) {
+  const std::string routed = replaced(fleet, "components: [driver,", "components: [link_router,");
+  EXPECT_EQ(parameter(load(routed), "uxv2", "drive", "vehicles"), "2");
+  EXPECT_EQ(parameter(load(routed), "gcs", "uxv1_link", "vehicles"), "2");
+  overrides_.set = {"link_router.vehicles=7"};
+  EXPECT_EQ(parameter(load(routed), "uxv1", "drive", "vehicles"), "7");
+}
+
 TEST_F(VehiclesTest, OneIsSetByItsName) {
   overrides_.set = {"uxv2/driver.device=/dev/x", "gcs/uxv1_mission/mission_control.file=b"};
   const Deployment sut = load(fleet);
@@ -316,6 +324,7 @@ TEST_F(RelayTest, BothHostsHaveWhatIsForEachVehicle) {
   EXPECT_THAT(names_of(sut.hosts[1].containers), ElementsAre("page", "uxv1_link", "uxv2_link"));
   EXPECT_EQ(sut.hosts[0].local_domain, 69);
   EXPECT_EQ(parameter(sut, "desk", "uxv2_link", "file"), "b.yaml");
+  EXPECT_EQ(parameter(sut, "desk", "uxv2_link", "vehicles"), "none") << "the site is on wire";
 }
 
 TEST_F(RelayTest, EachVehicleHasALinkBetweenTheTwo) {

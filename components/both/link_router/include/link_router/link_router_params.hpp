@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "link_router/link_constants.hpp"
+
 namespace tocsin::router {
 
 /// What can be set of a router's decisions; link_constants.hpp has the rest. Where the defaults
@@ -17,6 +19,7 @@ struct LinkRouterParams {
   double scale_min = 0.25;
   double backfill_share = 0.2;
   double second_bytes_per_s = 0;
+  int vehicles = 1;
 
   template <class Visitor>
   void visit(Visitor& v) {
@@ -44,6 +47,9 @@ struct LinkRouterParams {
     v("second_bytes_per_s", second_bytes_per_s, {0, 1e9},
       "[B/s] of what waits for the radio, by a second path at most, whose use is metered; 0: what "
       "it carries");
+    v("vehicles", vehicles, {1, most_vehicles},
+      "[1] that share the air, this one included, until airtime_share says it; the bringup file's "
+      "count, where it has several");
   }
 };
 

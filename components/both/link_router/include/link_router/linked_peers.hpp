@@ -83,6 +83,8 @@ class LinkedPeers {
   /// [B/s] that the share of the air carries, of the slowest, while the first path is chosen;
   /// infinite without a share.
   [[nodiscard]] double share_bytes_per_s(Time now) const;
+  /// Of all peers' first paths the greatest; zero without peers.
+  [[nodiscard]] Duration longest(Duration (LinkEstimator::*get)() const) const;
   /// How long what is sent at `now` would wait in the radio, or for its share of the air: longest
   /// of the live peers.
   [[nodiscard]] Duration backlog(Time now) const { return backlog(path(), now); }

@@ -39,10 +39,12 @@ class AirtimeAllocator {
   /// What all are told.
   struct Division {
     std::vector<Share> shares;
-    std::size_t heard = 0;  ///< vehicles
+    std::size_t vehicles = 0;  ///< that share it: all while they start, then those that are heard
   };
   /// A vehicle that is silent for longer has no use for air.
   static constexpr Duration silence_limit = std::chrono::seconds(5);
+  /// From the first division: who is not heard yet has the most to say.
+  static constexpr Duration starting = std::chrono::seconds(15);
 
   AirtimeAllocator(const Params& params, std::size_t vehicles);
 
@@ -59,7 +61,7 @@ class AirtimeAllocator {
   void on_busy(std::size_t vehicle, double busy, Time now);
   void set_driven(std::size_t vehicle, bool driven) { vehicles_[vehicle].driven = driven; }
 
-  [[nodiscard]] Division divide(Time now) const;
+  [[nodiscard]] Division divide(Time now);
 
  private:
   struct Vehicle {
@@ -82,6 +84,7 @@ class AirtimeAllocator {
 
   const Params params_;
   std::vector<Vehicle> vehicles_;
+  std::optional<Time> begun_;
 };
 
 }  // namespace tocsin
