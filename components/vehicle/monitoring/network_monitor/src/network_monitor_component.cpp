@@ -55,6 +55,14 @@ void check_sites(const NetworkMonitorComponent::Params& params) {
                     " sites; each of `sites` has one");
 }
 
+/// Of the first path, where there are two. Without anybody who acknowledges all is lost.
+double loss_in(const topic::LinkState::Message& state) {
+  if (state.live_peers() == 0) return 1;
+  if (state.paths().empty()) return static_cast<double>(state.loss());
+  const auto& first = state.paths().front();
+  return first.silent() ? 1 : static_cast<double>(first.loss());
+}
+
 std::unique_ptr<network::WirelessDevice> open_wireless(
     const Devices& devices, const NetworkMonitorComponent::Params& params) {
   if (params.interface_name.empty()) return nullptr;
@@ -72,9 +80,17 @@ NetworkMonitorComponent::NetworkMonitorComponent(Context& context, const Params&
       window_(params.probe),
       wireless_(open_wireless(context.devices(), params)) {
   check_sites(params);
-  if (params.sites.size() > 1) site_.emplace(*this);
-  for (const std::string& one : params.site_targets) probe(one);  // one that is none throws now
-  probe(params.target);
+  if (params.loss_from == network::LossSource::probes) {
+    begin_probing();
+  } else {
+    routers_.emplace(*this);
+  }
+}
+
+void NetworkMonitorComponent::begin_probing() {
+  if (params_.sites.size() > 1) site_.emplace(*this);
+  for (const std::string& one : params_.site_targets) probe(one);  // one that is none throws now
+  probe(params_.target);
 }
 
 /// Opens the target first: one that is no address changes nothing.
@@ -102,7 +118,22 @@ void NetworkMonitorComponent::follow_site() {
   log().info("probes go to {}, {}", site, target);
 }
 
-void NetworkMonitorComponent::tick(Time now) {
+void NetworkMonitorComponent::tick(Time now) { routers_ ? tick_routers(now) : tick_probes(now); }
+
+void NetworkMonitorComponent::tick_routers(Time now) {
+  using Side = network::ReportedLoss::Side;
+  while (const auto state = routers_->take()) {
+    const bool is_own = role_of(state->role()) == context().role;
+    loss_.on_report(is_own ? Side::own : Side::other, loss_in(*state), now);
+  }
+  if (!next_sample_ || now >= *next_sample_) {
+    if (const auto per = loss_.per_percent(now)) publish({*per, 0, 0, std::nullopt}, now);
+    next_sample_ = next_instant(seconds(params_.probe.sample_period_s), now);
+  }
+  wake_at(*next_sample_);
+}
+
+void NetworkMonitorComponent::tick_probes(Time now) {
   if (site_) follow_site();
   if (!has_begun(now)) return wake_at(*begin_);
   while (const auto reply = echo_->receive()) {

@@ -170,6 +170,71 @@ TEST_F(NetworkMonitorTest, ReportsAShortOutageAsItsShareOfTheWindow) {
   EXPECT_EQ(run(8).back().per_percent(), 0.0F);
 }
 
+/// By what routers report; the computer can send no probe.
+class NetworkMonitorByRouters : public ::testing::Test {
+ protected:
+  NetworkMonitorByRouters() {
+    computer_.devices.add<EchoDevice>(
+        [](const EchoTarget&, const Devices::Readable&) -> std::unique_ptr<EchoDevice> {
+          throw EnvironmentError("no probes here");
+        });
+    NetworkMonitorComponent::Params params;
+    params.loss_from = network::LossSource::routers;
+    params.interface_name = "";
+    sut_.emplace(context_, params);
+    bus_.add(*sut_);
+  }
+  static topic::LinkState::Message state(const std::string& role, float loss) {
+    topic::LinkState::Message state;
+    state.role(role);
+    state.live_peers(1);
+    state.loss(loss);
+    return state;
+  }
+  /// The last sample of two seconds, in which a router says this once.
+  topic::NetworkQuality::Message sample_after(const topic::LinkState::Message& state) {
+    bus_.publish<topic::LinkState>(state);
+    bus_.run_for(seconds(2));
+    return samples_.take().back();
+  }
+  SimBus bus_;
+  Computer computer_ = this_computer();
+  Context context_ = Context(bus_, "network_monitor", Role::uxv).with_computer(computer_);
+  SimReader<topic::NetworkQuality> samples_{bus_};
+  std::optional<NetworkMonitorComponent> sut_;
+};
+
+TEST_F(NetworkMonitorByRouters, TellsTheLossOfBothWaysOnceASecondAndNoRoundTripTime) {
+  bus_.run_for(seconds(3));
+  EXPECT_TRUE(samples_.take().empty()) << "no router has said anything";
+  EXPECT_FLOAT_EQ(sample_after(state("uxv", 0.5F)).per_percent(), 50);
+  bus_.publish<topic::LinkState>(state("uxv", 0.5F));
+  bus_.publish<topic::LinkState>(state("gcs", 0.5F));
+  bus_.run_for(seconds(2));
+  const auto samples = samples_.take();
+  ASSERT_EQ(samples.size(), 2U);
+  EXPECT_FLOAT_EQ(samples.back().per_percent(), 75);
+  EXPECT_EQ(samples.back().probes_sent(), 0U);
+  EXPECT_EQ(samples.back().probe_bytes(), 0U);
+  EXPECT_TRUE(std::isnan(samples.back().rtt_mean_ms()));
+}
+
+TEST_F(NetworkMonitorByRouters, ARouterThatNobodyAnswersLosesAll) {
+  auto alone = state("uxv", 0);
+  alone.live_peers(0);
+  EXPECT_FLOAT_EQ(sample_after(alone).per_percent(), 100);
+}
+
+TEST_F(NetworkMonitorByRouters, OfTwoPathsTheFirstCounts) {
+  auto two = state("uxv", 0);
+  two.paths().resize(2);
+  two.paths()[0].loss(0.25F);
+  two.paths()[1].loss(0.75F);
+  EXPECT_FLOAT_EQ(sample_after(two).per_percent(), 25);
+  two.paths()[0].silent(true);
+  EXPECT_FLOAT_EQ(sample_after(two).per_percent(), 100);
+}
+
 /// A vehicle between two sites, of which one does not answer.
 class NetworkMonitorSites : public ::testing::Test {
  protected:

@@ -8,8 +8,10 @@
 
 #include "devices/devices.hpp"
 #include "devices/echo_device.hpp"
+#include "foundation/enum_words.hpp"
 #include "foundation/traffic_class.hpp"
 #include "network_monitor/probe_window.hpp"
+#include "network_monitor/reported_loss.hpp"
 #include "network_monitor/wireless_trend.hpp"
 #include "runtime/component.hpp"
 #include "runtime/port.hpp"
@@ -21,6 +23,7 @@ namespace tocsin {
 class NetworkMonitorComponent final : public Component {
  public:
   struct Params {
+    network::LossSource loss_from = network::LossSource::probes;
     std::string target;
     std::vector<std::string> sites;
     std::vector<std::string> site_targets;
@@ -32,6 +35,9 @@ class NetworkMonitorComponent final : public Component {
 
     template <class Visitor>
     void visit(Visitor& v) {
+      visit_enum(v, "loss_from", loss_from, Choices{"probes", "routers"},
+                 "whose the PER is: of own echo probes, or of what the routers of both sides send, "
+                 "which costs no air; then no probe is sent, and there is no round-trip time");
       v("target", target,
         "IPv4 address to probe; in a bringup file the first peer of its host, unless it is set");
       v("sites", sites, "names of the sites of this host, where there are several; as `target`");
@@ -46,12 +52,15 @@ class NetworkMonitorComponent final : public Component {
   };
 
   /// ConfigError when a target is not an IPv4 address or a site has none, EnvironmentError without
-  /// ICMP sockets.
+  /// ICMP sockets, when it probes.
   NetworkMonitorComponent(Context& context, const Params& params);
   void set_parameters(const Params& params) { window_.set_limits(params.probe); }
   void tick(Time now) override;
 
  private:
+  void begin_probing();
+  void tick_probes(Time now);
+  void tick_routers(Time now);
   void follow_site();
   void probe(const std::string& target);
   [[nodiscard]] bool has_begun(Time now);
@@ -63,6 +72,9 @@ class NetworkMonitorComponent final : public Component {
   Output<topic::NetworkQuality> quality_{*this};
   const Params params_;
   const Devices devices_;
+  std::optional<OptionalInput<topic::LinkState>> routers_;  ///< whose word the loss is
+  network::ReportedLoss loss_;
+  std::optional<Time> next_sample_;                     ///< of what they say
   std::optional<OptionalInput<topic::LinkSite>> site_;  ///< where there are several
   std::string target_;                                  ///< of echo_
   std::unique_ptr<EchoDevice> echo_;
