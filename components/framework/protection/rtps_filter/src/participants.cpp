@@ -21,18 +21,20 @@ bool Participants::is_over(const Participant& participant, Time now) const {
   return now - participant.heard > lease;
 }
 
+bool Participants::is_known(const Participant& participant, Source from) const {
+  // One socket has one port: where a program of the same host sends by another interface, it has
+  // the address of that. Interfaces get listeners at any time.
+  const auto& sources = participant.sources;
+  return std::any_of(sources.begin(), sources.end(), [&](const Source& known) {
+    return limits_.participant_has_address ? known == from : known.port == from.port;
+  });
+}
+
 bool Participants::is_source(Participant& participant, Source from, Time now) const {
   constexpr std::size_t most_sockets = 8;
   constexpr Duration settling = std::chrono::seconds(60);  // longer than anybody's period
+  if (is_known(participant, from)) return true;
   auto& sources = participant.sources;
-  if (std::find(sources.begin(), sources.end(), from) != sources.end()) return true;
-  // One socket has one port: where a program of the same host sends by another interface, it has
-  // the address of that. Interfaces get listeners at any time.
-  const bool same_socket = !limits_.participant_has_address &&
-                           std::any_of(sources.begin(), sources.end(), [&](const Source& known) {
-                             return known.port == from.port;
-                           });
-  if (same_socket) return true;
   const bool elsewhere = limits_.participant_has_address && sources.front().address != from.address;
   if (elsewhere || now - participant.admitted > settling || sources.size() >= most_sockets) {
     return false;
@@ -79,10 +81,7 @@ Checked<Participants::Verdict> Participants::announced(const Prefix& prefix,
 
 Checked<Participants::Verdict> Participants::leaves(Known::iterator at, Source from, Time now) {
   Participant& participant = at->second;
-  const auto& sources = participant.sources;
-  if (std::find(sources.begin(), sources.end(), from) == sources.end()) {
-    return DropReason::forged_disposal;
-  }
+  if (!is_known(participant, from)) return DropReason::forged_disposal;
   if (participant.authenticated) return DropReason::unauthenticated;
   const Duration wait = limits_.departure_wait;
   if (wait <= Duration{} || !participant.copy.has_lease() || is_over(participant, now)) {

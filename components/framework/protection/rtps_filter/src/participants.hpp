@@ -99,6 +99,8 @@ class Participants {
   [[nodiscard]] bool make_room(Time now, Verdict& verdict);
   Known::iterator longest_silent();
   [[nodiscard]] bool is_full() const;
+  /// Whether a participant has announced itself from that socket.
+  [[nodiscard]] bool is_known(const Participant& participant, Source from) const;
   /// Whether a participant announces itself from there; at first it may have several sockets.
   [[nodiscard]] bool is_source(Participant& participant, Source from, Time now) const;
   [[nodiscard]] bool is_over(const Participant& participant, Time now) const;

@@ -98,6 +98,9 @@ TEST(Participant, MaySpeakByAnotherInterfaceWithTheSameSocketAtAnyTime) {
   EXPECT_EQ(drop_of(sut, announcement('a'), by_other, t0 + seconds(61)), passes);
   EXPECT_EQ(drop_of(sut, announcement('a'), {by_other.address, 9}, t0 + seconds(61)),
             DropReason::forged_source);
+  EXPECT_EQ(drop_of(sut, departure('a', 'a'), {by_other.address, 9}), DropReason::forged_disposal);
+  EXPECT_EQ(drop_of(sut, departure('a', 'a'), by_other), passes);
+  EXPECT_EQ(sut.participants(), 0U);
 }
 
 TEST(Participant, HasNotMoreThanEightSockets) {
