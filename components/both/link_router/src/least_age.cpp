@@ -20,6 +20,8 @@ constexpr Duration row_lasts = std::chrono::seconds(2);
 constexpr Duration very_old = std::chrono::seconds(2);
 constexpr int very_old_means_step = 8;
 constexpr Duration settling = milliseconds(250);
+/// A least age that is newer than this may have been learned of what had waited in a queue.
+constexpr Duration doubted_for = std::chrono::seconds(2);
 /// A least age that was agreed with for shorter may be a forger's.
 constexpr Duration trusted_after = std::chrono::seconds(5);
 
@@ -42,6 +44,7 @@ void LeastAge::begin(Duration seen, Time since, Time now) {
   least_.add(seen, now);
   begun_ = since;
   agreed_ = now;
+  hinted_ = seen;
   lesser_ = contrary_ = old_ = {};
 }
 
@@ -50,7 +53,9 @@ Duration LeastAge::age(Time sent, Time now) {
   if (least_.value() && now - received_ > silence) least_.skip(now - received_);
   received_ = now;
   if (!least_.value()) begin(seen, now, now);
-  const Duration age = std::max(Duration{0}, seen - *least_.value());
+  const bool is_doubted = now - begun_ < doubted_for;
+  const Duration least = is_doubted ? std::min(hinted_, *least_.value()) : *least_.value();
+  const Duration age = std::max(Duration{0}, seen - least);
   note(seen, now);
   return age;
 }
@@ -63,6 +68,7 @@ Duration LeastAge::contradicted_after() const {
 void LeastAge::note(Duration seen, Time now) {
   const Duration least = *least_.value();
   if (seen + agreement < least) {
+    hinted_ = std::min(hinted_, seen);
     const bool said = count(lesser_, confirming, seen, now);
     if (said && now - lesser_.begun >= confirming_for) begin(lesser_.least, lesser_.begun, now);
     return;

@@ -26,6 +26,9 @@ constexpr Duration all_after = std::chrono::milliseconds(500);
 constexpr Duration fresh = std::chrono::milliseconds(500);
 /// Only numbers far below the highest are received for so long: the highest is none of the peer's.
 constexpr Duration contrary_for = std::chrono::milliseconds(500);
+/// A packet takes so long over a radio at least, and ages are over the least one: so much may be
+/// missing in them.
+constexpr Duration least_way = std::chrono::milliseconds(1);
 
 }  // namespace
 
@@ -177,7 +180,7 @@ Disposition LinkReceiver::judge(Peer& peer, const StreamRule& rule, const Origin
     case SourceMemory::Verdict::newer:
       break;
   }
-  if (age > rule.lifespan) return Disposition::expired;
+  if (age > rule.lifespan - std::min(least_way, rule.lifespan / 100)) return Disposition::expired;
   memory.add(origin.sequence, rule.depth, now);
   return Disposition::deliver;
 }

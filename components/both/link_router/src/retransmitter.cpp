@@ -14,16 +14,17 @@ constexpr double burst_bytes = 4000;
 /// What waits for the pace of bulk and then crosses in pieces takes so long at most, but for luck.
 constexpr Duration crossing = std::chrono::milliseconds(100);
 
-/// It is not sent again after this, so that it arrives within its lifespan.
-Time ends_at(const SentSample& sent) {
-  return sent.mends_with_bulk() && sent.expires != never ? sent.expires - crossing : sent.expires;
-}
-
 bool is_of_same_source(const SentSample& one, const SentSample& other) {
   return one.stream == other.stream && one.sample.origin.source == other.sample.origin.source;
 }
 
 }  // namespace
+
+Time Retransmitter::ends_at(const SentSample& sent) const {
+  if (!sent.mends_with_bulk() || sent.expires == never) return sent.expires;
+  if (peers_.vehicles() == 1) return sent.expires - crossing;
+  return sent.expires - std::max(crossing, peers_.longest(&LinkEstimator::expected_delay));
+}
 
 void Retransmitter::supersede(const SentSample& newer, std::size_t depth) {
   for (const SentSamplePtr& older : open_) {

@@ -74,6 +74,18 @@ TEST_F(LeastAgeTest, AFirstArrivalThatIsForgedEndsWithTheNextThree) {
   EXPECT_EQ(fresh.age(now - difference, now), 0 * ms);
 }
 
+TEST_F(LeastAgeTest, ALeastAgeThatIsLearnedInAQueueIsDoubtedAtOnce) {
+  LeastAge fresh{std::chrono::seconds(30)};
+  const Time begin = now;
+  const auto age_of = [&](Duration real) { return fresh.age(now - real - difference, now); };
+  EXPECT_EQ(age_of(800 * ms), 0 * ms) << "there is no other";
+  now += 50 * ms;
+  (void)age_of(300 * ms);
+  EXPECT_EQ(age_of(800 * ms), 500 * ms);
+  for (; now - begin < 2000 * ms; now += 50 * ms) EXPECT_EQ(age_of(790 * ms), 490 * ms);
+  EXPECT_EQ(age_of(800 * ms), 10 * ms) << "a hint that nothing confirms may be forged";
+}
+
 TEST_F(LeastAgeTest, AQueueStaysOldForAsLongAsTheLinkWasHealthyBefore) {
   for (int i = 0; i < 100; ++i, now += 100 * ms) (void)age(2 * ms);
   for (int i = 0; i < 100; ++i, now += 100 * ms) EXPECT_EQ(age(1002 * ms), 1000 * ms);

@@ -418,8 +418,8 @@ TEST_F(LinkRouterTest, BothSidesReckonWithAllWhoShareTheAir) {
     return script_.sent_on(flow);
   };
   for (const Role role : {Role::uxv, Role::gcs}) {
-    EXPECT_GT(sent_in_300_ms(role, 1), 1U) << name(role);
-    EXPECT_EQ(sent_in_300_ms(role, 20), 1U) << name(role) << ": an answer takes longer there";
+    EXPECT_GT(sent_in_300_ms(role, 1), 1U) << to_string(role);
+    EXPECT_EQ(sent_in_300_ms(role, 20), 1U) << to_string(role) << ": an answer takes longer there";
   }
 }
 

@@ -54,6 +54,34 @@ TEST(Pause, WhatOutlivedThePauseOnlyByAgeIsNotSent) {
   EXPECT_EQ(counts.dropped[static_cast<std::size_t>(DropReason::expired)], 1U);
 }
 
+/// Of a sample that was held for 600 ms of its 1000, on a link where small samples lately took 10
+/// or 510 ms.
+std::size_t sent_after_a_hold(unsigned vehicles) {
+  LinkPair link;
+  link.sender.set_vehicles(vehicles);
+  link.add(2, rule_of(TrafficClass::critical));
+  for (std::uint64_t i = 1; i <= 40; ++i) {
+    link.delays[0] = i % 2 == 0 ? 10 * ms : 510 * ms;
+    link.offer(2, i);
+    link.run(600 * ms);
+  }
+  StreamRule rule = rule_of(TrafficClass::low);
+  rule.while_paused = WhilePaused::latest;
+  rule.lifespan = 1000 * ms;
+  link.add(1, rule);
+  link.sender.set_paused(true, link.now);
+  link.offer(1, 1);
+  link.run(600 * ms);
+  link.sender.set_paused(false, link.now);
+  link.run(100 * ms);
+  return link.count_sent(1);
+}
+
+TEST(Pause, WhatWouldArriveTooOldIsNotSentIntoSharedAir) {
+  EXPECT_EQ(sent_after_a_hold(1), 1U);
+  EXPECT_EQ(sent_after_a_hold(20), 0U);
+}
+
 TEST(Pause, APauseTakesWhatWaits) {
   LinkPair link;
   StreamRule rule = rule_of(TrafficClass::low);

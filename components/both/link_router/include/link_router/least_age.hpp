@@ -10,11 +10,12 @@ namespace tocsin::router {
 ///
 /// An age that is lesser by 100 ms or more is a hint until traffic confirms it: it counts when
 /// three or more arrivals, at most 2 s apart, say so for a second and none agrees with the present
-/// one. So a forged stamp of the future makes nothing old. The least age ends when all that is
-/// received contradicts it for as long as it was agreed with (for a second, if that was less than
-/// 5 s), or in eight arrivals by more than 2 s: a clock was set. So what a forger has said for some
-/// seconds lasts a second, and a queue that stands stays old. Arrivals within 50 ms count once:
-/// that is what waited in the radio's queue while nothing was received. Pure; `now` never
+/// one. So a forged stamp of the future makes nothing old. Only in its first 2 s, when the least
+/// age may have been learned in a queue, ages are over the hint. The least age ends when all that
+/// is received contradicts it for as long as it was agreed with (for a second, if that was less
+/// than 5 s), or in eight arrivals by more than 2 s: a clock was set. So what a forger has said for
+/// some seconds lasts a second, and a queue that stands stays old. Arrivals within 50 ms count
+/// once: that is what waited in the radio's queue while nothing was received. Pure; `now` never
 /// decreases.
 class LeastAge {
  public:
@@ -40,7 +41,8 @@ class LeastAge {
   [[nodiscard]] Duration contradicted_after() const;
 
   WindowedMinimum least_;
-  Time begun_{};  ///< first arrival that counts
+  Time begun_{};       ///< first arrival that counts
+  Duration hinted_{};  ///< the least since then, confirmed or not
   Time received_{};
   Time agreed_{};  ///< last arrival that agrees with it
   Row lesser_;     ///< than the least one

@@ -64,6 +64,8 @@ class Retransmitter {
   [[nodiscard]] double share(Time now) const;
 
  private:
+  /// It is not sent again after this, so that it arrives within its lifespan.
+  [[nodiscard]] Time ends_at(const SentSample& sent) const;
   [[nodiscard]] bool can_repair(const SentSample& sent, Time now) const;
   [[nodiscard]] bool may_repair(const SentSample& sent, Time now) const;
   [[nodiscard]] double allowance(Time now) const;
