@@ -214,13 +214,13 @@ std::optional<Transmission> LinkSender::next_of(TrafficClass traffic_class, Time
 bool LinkSender::can_arrive(const Waiting& waiting, Time now) const {
   if (waiting.expires == never) return true;
   const double capacity_bytes_per_s = peers_.capacity_bytes_per_s(now);
-  Duration takes = seconds(static_cast<double>(waiting.cost.bytes) / capacity_bytes_per_s);
+  const Duration takes = seconds(static_cast<double>(waiting.cost.bytes) / capacity_bytes_per_s);
   // A fresh one always goes, or a capacity that is believed too small is never measured.
   const Duration life = waiting.expires - waiting.offered;
-  if (peers_.vehicles() == 1) return waiting.expires - now >= std::min(takes, life / 4);
-  // It may have waited long for the share, and waits again for the others.
-  takes += peers_.longest(&LinkEstimator::expected_delay);
-  return waiting.expires - now >= std::min(takes, life - life / 8);
+  // It may have waited long for its share of the air, and then waits for the others.
+  const Duration delay =
+      peers_.vehicles() == 1 ? Duration{0} : peers_.longest(&LinkEstimator::expected_delay);
+  return waiting.expires - now - delay >= std::min(takes, life / 4);
 }
 
 bool LinkSender::has_due_with_bulk(Time now) const {

@@ -121,7 +121,8 @@ TEST_F(VehiclesTest, FilesOfParametersKnowTheVehicle) {
 }
 
 TEST_F(VehiclesTest, RoutersKnowHowManyShareTheAir) {
-  const std::string routed = replaced(fleet, "components: [driver,", "components: [link_router,");
+  const std::string routed =
+      replaced(fleet, "components: [driver,", "components: [link_router, driver,");
   EXPECT_EQ(parameter(load(routed), "uxv2", "drive", "vehicles"), "2");
   EXPECT_EQ(parameter(load(routed), "gcs", "uxv1_link", "vehicles"), "2");
   overrides_.set = {"link_router.vehicles=7"};

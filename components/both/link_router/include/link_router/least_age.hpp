@@ -12,10 +12,10 @@ namespace tocsin::router {
 /// three or more arrivals, at most 2 s apart, say so for a second and none agrees with the present
 /// one. So a forged stamp of the future makes nothing old. Only in its first 2 s, when the least
 /// age may have been learned in a queue, ages are over the hint. The least age ends when all that
-/// is received contradicts it for as long as it was agreed with (for a second, if that was less
+/// is received contradicts it for as long as it was agreed with (for up to 2 s, if that was less
 /// than 5 s), or in eight arrivals by more than 2 s: a clock was set. So what a forger has said for
-/// some seconds lasts a second, and a queue that stands stays old. Arrivals within 50 ms count
-/// once: that is what waited in the radio's queue while nothing was received. Pure; `now` never
+/// some seconds lasts two, and a queue that stands stays old. Arrivals within 50 ms count once:
+/// that is what waited in the radio's queue while nothing was received. Pure; `now` never
 /// decreases.
 class LeastAge {
  public:
