@@ -17,7 +17,7 @@ constexpr int confirming = 3;
 constexpr Duration confirming_for = std::chrono::seconds(1);
 /// A least age that was agreed with for less than `trusted_after` ends after so much of the
 /// contrary.
-constexpr Duration contrary_for = std::chrono::seconds(2);
+constexpr Duration contradicted_for = std::chrono::seconds(2);
 /// A row whose arrivals are farther apart begins anew.
 constexpr Duration row_lasts = std::chrono::seconds(2);
 constexpr Duration very_old = std::chrono::seconds(2);
@@ -65,7 +65,7 @@ Duration LeastAge::age(Time sent, Time now) {
 
 Duration LeastAge::contradicted_after() const {
   const Duration agreed = agreed_ - begun_;
-  return agreed < trusted_after ? std::min(agreed, contrary_for) : agreed;
+  return agreed < trusted_after ? std::min(agreed, contradicted_for) : agreed;
 }
 
 void LeastAge::note(Duration seen, Time now) {
