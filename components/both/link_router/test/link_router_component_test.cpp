@@ -413,6 +413,7 @@ TEST_F(LinkRouterTest, BothSidesReckonWithAllWhoShareTheAir) {
     host_->bus.publish<topic::AirtimeShare>(share);
     const FlowId flow = begin("heartbeat");
     meet();
+    begin_peer_flow("link_acknowledgement", acknowledgement_flow);
     listen(flow);
     for (std::uint32_t i = 1; i <= 5; ++i) {
       write(i);
