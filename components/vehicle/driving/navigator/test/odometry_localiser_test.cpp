@@ -37,6 +37,21 @@ TEST(OdometryLocaliser, BelievesWhatTheVehicleCanDriveInTheTime) {
   expect_pose(sut.update({7.00, 0, 0}, t0 + seconds(2)), {5.99, 0, 0});
 }
 
+TEST(OdometryLocaliser, BelievesABurstOfWhatWasDrivenWhileNoPoseCame) {
+  OdometryLocaliser sut(geometry::Pose{0, 0, 0});
+  (void)sut.update({5, 0, 0}, t0);
+  (void)sut.update({5.01, 0, 0}, t0 + seconds(0.7));
+  expect_pose(sut.update({5.5, 0, 0}, t0 + seconds(0.702)), {5.5, 0, 0});
+  expect_pose(sut.update({6.0, 0, 0}, t0 + seconds(0.704)), {5.5, 0, 0});
+}
+
+TEST(OdometryLocaliser, ABurstIsOverAfterASecond) {
+  OdometryLocaliser sut(geometry::Pose{0, 0, 0});
+  (void)sut.update({5, 0, 0}, t0);
+  for (int i = 0; i <= 55; ++i) (void)sut.update({5.01, 0, 0}, t0 + seconds(0.7 + 0.02 * i));
+  expect_pose(sut.update({5.5, 0, 0}, t0 + seconds(1.82)), {5.01, 0, 0});
+}
+
 TEST(OdometryLocaliser, KnowsADriverThatBeganAtZeroAgainNearby) {
   OdometryLocaliser sut(geometry::Pose{0, 0, 0});
   (void)sut.update({0.5, 0, 0.3}, t0);

@@ -11,7 +11,8 @@ namespace tocsin {
 /// Where the vehicle is on the map, from odometry and a known start.
 ///
 /// Odometry that jumps farther than the vehicle can drive comes from a driver that was started
-/// anew: the vehicle is then still where it was last, and odometry counts from there.
+/// anew: the vehicle is then still where it was last, and odometry counts from there. What it can
+/// have driven while no pose came counts for a second after that: poses may come in a burst.
 class OdometryLocaliser {
  public:
   /// All that must be kept to go on after a restart of this process.
@@ -30,11 +31,14 @@ class OdometryLocaliser {
   [[nodiscard]] const Memory& memory() const { return memory_; }
 
  private:
+  void note_gap(double moved_m, Time now);
   [[nodiscard]] bool has_restarted(const geometry::Pose& odom, Time now) const;
 
   Memory memory_;
   bool has_odom_ = false;
   std::optional<Time> last_;  // empty: nobody knows how long ago the last pose was
+  double recent_gap_s_ = 0;   // without a pose lately, whose way has not come yet
+  Time gap_ended_{};
 };
 
 }  // namespace tocsin
