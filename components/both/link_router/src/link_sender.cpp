@@ -218,9 +218,7 @@ bool LinkSender::can_arrive(const Waiting& waiting, Time now) const {
   // A fresh one always goes, or a capacity that is believed too small is never measured.
   const Duration life = waiting.expires - waiting.offered;
   // It may have waited long for its share of the air, and then waits for the others.
-  const Duration delay =
-      peers_.vehicles() == 1 ? Duration{0} : peers_.longest(&LinkEstimator::expected_delay);
-  return waiting.expires - now - delay >= std::min(takes, life / 4);
+  return waiting.expires - now - peers_.shared_delay() >= std::min(takes, life / 4);
 }
 
 bool LinkSender::has_due_with_bulk(Time now) const {
@@ -383,16 +381,12 @@ Duration LinkSender::expected_wait(const SentSample& sent, Time now) const {
 }
 
 Duration LinkSender::acknowledgement_period() const {
-  if (peers_.vehicles() == 1) return router::acknowledgement_period;
-  return std::clamp(peers_.longest(&LinkEstimator::expected_delay), router::acknowledgement_period,
+  return std::clamp(peers_.shared_delay(), router::acknowledgement_period,
                     acknowledgement_period_busy);
 }
 
 void LinkSender::follow_shared_air() {
-  const Duration alone = patience_of(params_);
-  log_.set_patience(peers_.vehicles() == 1
-                        ? alone
-                        : std::max(alone, peers_.longest(&LinkEstimator::expected_answer)));
+  log_.set_patience(std::max(patience_of(params_), peers_.shared_answer()));
 }
 
 void LinkSender::choose_path(Time now) {

@@ -130,8 +130,9 @@ double LinkedPeers::share_bytes_per_s(Time now) const {
   return one == nullptr ? std::numeric_limits<double>::infinity() : one->share_bytes_per_s();
 }
 
-Duration LinkedPeers::longest(Duration (LinkEstimator::*get)() const) const {
+Duration LinkedPeers::shared(Duration (LinkEstimator::*get)() const) const {
   Duration longest{0};
+  if (vehicles_ == 1) return longest;
   for (const auto& entry : peers_) longest = std::max(longest, (entry.second.estimators[0].*get)());
   return longest;
 }

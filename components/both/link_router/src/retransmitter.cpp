@@ -22,8 +22,7 @@ bool is_of_same_source(const SentSample& one, const SentSample& other) {
 
 Time Retransmitter::ends_at(const SentSample& sent) const {
   if (!sent.mends_with_bulk() || sent.expires == never) return sent.expires;
-  if (peers_.vehicles() == 1) return sent.expires - crossing;
-  return sent.expires - std::max(crossing, peers_.longest(&LinkEstimator::expected_delay));
+  return sent.expires - std::max(crossing, peers_.shared_delay());
 }
 
 void Retransmitter::supersede(const SentSample& newer, std::size_t depth) {

@@ -38,14 +38,19 @@ TEST(Pause, WhatIsPausedIsSilentAndTheNewestFollows) {
   EXPECT_EQ(counts.dropped[static_cast<std::size_t>(DropReason::paused)], 5U);
 }
 
-TEST(Pause, WhatOutlivedThePauseOnlyByAgeIsNotSent) {
-  LinkPair link;
+/// A pause begins, and takes a sample that lives for a second.
+void hold_a_sample(LinkPair& link) {
   StreamRule rule = rule_of(TrafficClass::low);
   rule.while_paused = WhilePaused::latest;
   rule.lifespan = 1000 * ms;
   link.add(1, rule);
   link.sender.set_paused(true, link.now);
   link.offer(1, 1);
+}
+
+TEST(Pause, WhatOutlivedThePauseOnlyByAgeIsNotSent) {
+  LinkPair link;
+  hold_a_sample(link);
   link.run(1001 * ms);
   link.sender.set_paused(false, link.now);
   link.run(100 * ms);
@@ -65,12 +70,7 @@ std::size_t sent_after_a_hold(unsigned vehicles) {
     link.offer(2, i);
     link.run(600 * ms);
   }
-  StreamRule rule = rule_of(TrafficClass::low);
-  rule.while_paused = WhilePaused::latest;
-  rule.lifespan = 1000 * ms;
-  link.add(1, rule);
-  link.sender.set_paused(true, link.now);
-  link.offer(1, 1);
+  hold_a_sample(link);
   link.run(600 * ms);
   link.sender.set_paused(false, link.now);
   link.run(100 * ms);

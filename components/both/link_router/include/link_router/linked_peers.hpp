@@ -83,8 +83,10 @@ class LinkedPeers {
   /// [B/s] that the share of the air carries, of the slowest, while the first path is chosen;
   /// infinite without a share.
   [[nodiscard]] double share_bytes_per_s(Time now) const;
-  /// Of all peers' first paths the greatest; zero without peers.
-  [[nodiscard]] Duration longest(Duration (LinkEstimator::*get)() const) const;
+  /// What small samples must reckon with by the first path while others share its air, and until
+  /// they are acknowledged: longest of all peers. Zero where nobody shares it.
+  [[nodiscard]] Duration shared_delay() const { return shared(&LinkEstimator::expected_delay); }
+  [[nodiscard]] Duration shared_answer() const { return shared(&LinkEstimator::expected_answer); }
   /// How long what is sent at `now` would wait in the radio, or for its share of the air: longest
   /// of the live peers.
   [[nodiscard]] Duration backlog(Time now) const { return backlog(path(), now); }
@@ -94,6 +96,7 @@ class LinkedPeers {
   [[nodiscard]] const std::map<std::string, LinkedPeer>& all() const { return peers_; }
 
  private:
+  [[nodiscard]] Duration shared(Duration (LinkEstimator::*get)() const) const;
   void limit(LinkedPeer& peer) const;
   std::map<std::string, LinkedPeer> peers_;
   PeerIndex last_ = 0;
