@@ -66,10 +66,11 @@ void set_only_station(const Deployment& deployment, const Host& host, ComponentI
 /// Before the first airtime_share tells it, a router knows from the file who shares the air. A
 /// relay has its site on wire.
 void set_vehicles(std::size_t vehicles, ComponentInstance& instance) {
+  constexpr std::size_t most = 100;  // that a router counts
   if (vehicles < 2 || instance.component != "link_router" || (*instance.parameters)["vehicles"])
     return;
   YAML::Node parameters = *instance.parameters;
-  parameters["vehicles"] = vehicles;
+  parameters["vehicles"] = std::min(vehicles, most);
 }
 
 /// A file of parameters is for all: a variable that only vehicles have stays in it as it is.

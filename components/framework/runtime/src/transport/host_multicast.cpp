@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -17,10 +18,14 @@
 #include <utility>
 
 #include "foundation/error.hpp"
+#include "foundation/time.hpp"
 #include "transport/udp_sockets.hpp"
 
 namespace tocsin {
 namespace {
+
+/// Forty participants on a host announce themselves 80 times a second, and each hears them all.
+constexpr Duration announcements_come = std::chrono::milliseconds(50);
 
 in_addr group_address() {
   in_addr address{};
@@ -134,8 +139,9 @@ HostMulticastReceiver::HostMulticastReceiver(std::uint16_t port)
 }
 
 void HostMulticastReceiver::start(OnDatagram on_datagram) {
-  thread_ = std::thread(
-      [this, heard = std::move(on_datagram)] { receive_datagrams(socket_, stopping_, heard); });
+  thread_ = std::thread([this, heard = std::move(on_datagram)] {
+    receive_datagrams(socket_, stopping_, announcements_come, heard);
+  });
   pthread_setname_np(thread_.native_handle(), "dds_multicast");
 }
 

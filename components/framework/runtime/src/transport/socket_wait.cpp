@@ -2,40 +2,23 @@
 #include "transport/socket_wait.hpp"
 
 #include <linux/sockios.h>
-#include <netinet/in.h>
 #include <sys/ioctl.h>
-#include <sys/socket.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <ctime>
-#include <filesystem>
-#include <string>
-#include <system_error>
+
+#include "watch/own_sockets.hpp"
 
 namespace tocsin {
 namespace {
 
 thread_local Duration handed_on_waited{0};
 
-bool is_udp_at(int descriptor, std::uint16_t port) {
-  int type = 0;
-  socklen_t type_size = sizeof type;
-  sockaddr_in own{};
-  socklen_t own_size = sizeof own;
-  return ::getsockopt(descriptor, SOL_SOCKET, SO_TYPE, &type, &type_size) == 0 &&
-         type == SOCK_DGRAM &&
-         ::getsockname(descriptor, reinterpret_cast<sockaddr*>(&own), &own_size) == 0 &&
-         own.sin_family == AF_INET && ntohs(own.sin_port) == port;
-}
-
 /// -1: none.
 int own_socket_at(std::uint16_t port) {
-  std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd", error)) {
-    const int descriptor = std::atoi(entry.path().filename().c_str());
-    if (is_udp_at(descriptor, port)) return descriptor;
+  for (const OwnSocket& one : own_udp_sockets()) {
+    if (one.port == port) return one.descriptor;
   }
   return -1;
 }

@@ -6,10 +6,12 @@
 #include <linux/netlink.h>
 #include <linux/rtnetlink.h>
 #include <linux/sock_diag.h>
+#include <poll.h>
 #include <sys/socket.h>
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <string>
 #include <system_error>
@@ -100,6 +102,13 @@ bool hear_nothing(const FileDescriptor& socket) {
   return ::setsockopt(socket.get(), SOL_SOCKET, SO_ATTACH_FILTER, &filter, sizeof filter) == 0;
 }
 
+/// Whatever comes meanwhile.
+void wait_for_shutdown(const FileDescriptor& socket, Duration at_most) {
+  pollfd shutdown{socket.get(), POLLRDHUP, 0};
+  const auto whole = std::chrono::duration_cast<std::chrono::milliseconds>(at_most);
+  (void)::poll(&shutdown, 1, static_cast<int>(whole.count()));
+}
+
 }  // namespace
 
 UdpSockets::UdpSockets()
@@ -130,14 +139,18 @@ bool UdpSockets::add_with_port(std::uint8_t family, std::uint16_t port, Found& f
 }
 
 void receive_datagrams(const FileDescriptor& socket, const std::atomic<bool>& stopping,
-                       const OnDatagram& on_datagram) {
+                       Duration pause, const OnDatagram& on_datagram) {
   std::vector<std::uint8_t> bytes(datagram_room);
+  bool waits = true;
   while (!stopping) {
     sockaddr_in from{};
     socklen_t from_size = sizeof from;
-    const ssize_t size = ::recvfrom(socket.get(), bytes.data(), bytes.size(), 0,
-                                    reinterpret_cast<sockaddr*>(&from), &from_size);
+    const ssize_t size =
+        ::recvfrom(socket.get(), bytes.data(), bytes.size(), waits ? 0 : MSG_DONTWAIT,
+                   reinterpret_cast<sockaddr*>(&from), &from_size);
     if (size > 0) on_datagram(bytes.data(), static_cast<std::size_t>(size), from);
+    if (!waits && size < 0) wait_for_shutdown(socket, pause);
+    waits = size < 0 || pause == Duration::zero();
   }
 }
 

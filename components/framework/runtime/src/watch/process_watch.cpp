@@ -8,8 +8,8 @@
 #include <chrono>
 #include <utility>
 
+#include "watch/own_sockets.hpp"
 #include "watch/resident_memory.hpp"
-#include "watch/unread_sockets.hpp"
 
 namespace tocsin {
 namespace {
