@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A bringup file for several vehicles.
+#include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
 #include <regex>
@@ -127,6 +128,15 @@ TEST_F(VehiclesTest, RoutersKnowHowManyShareTheAir) {
   EXPECT_EQ(parameter(load(routed), "gcs", "uxv1_link", "vehicles"), "2");
   overrides_.set = {"link_router.vehicles=7"};
   EXPECT_EQ(parameter(load(routed), "uxv1", "drive", "vehicles"), "7");
+}
+
+TEST_F(VehiclesTest, RoutersCountAHundredVehicles) {
+  std::string routed = replaced(fleet, "components: [driver,", "components: [link_router, driver,");
+  std::string more = "vehicles:\n";
+  for (int i = 3; i <= 101; ++i)
+    more += fmt::format("  uxv{}: {{address: 10.77.0.{}}}\n", i, i + 9);
+  routed = replaced(replaced(routed, "vehicles:\n", more), "domain: 40", "domain: 0");
+  EXPECT_EQ(parameter(load(routed), "uxv101", "drive", "vehicles"), "100");
 }
 
 TEST_F(VehiclesTest, OneIsSetByItsName) {
