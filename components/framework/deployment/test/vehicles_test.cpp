@@ -134,7 +134,7 @@ TEST_F(VehiclesTest, RoutersCountAHundredVehicles) {
   std::string routed = replaced(fleet, "components: [driver,", "components: [link_router, driver,");
   std::string more = "vehicles:\n";
   for (int i = 3; i <= 101; ++i)
-    more += fmt::format("  uxv{}: {{address: 10.77.0.{}}}\n", i, i + 9);
+    more += fmt::format("  uxv{}: {{address: 10.77.0.{}}}\n", i, i + 10);
   routed = replaced(replaced(routed, "vehicles:\n", more), "domain: 40", "domain: 0");
   EXPECT_EQ(parameter(load(routed), "uxv101", "drive", "vehicles"), "100");
 }
