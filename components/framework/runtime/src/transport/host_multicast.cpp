@@ -18,14 +18,11 @@
 #include <utility>
 
 #include "foundation/error.hpp"
-#include "foundation/time.hpp"
+#include "transport/announcement_crowd.hpp"
 #include "transport/udp_sockets.hpp"
 
 namespace tocsin {
 namespace {
-
-/// Forty participants on a host announce themselves 80 times a second, and each hears them all.
-constexpr Duration announcements_come = std::chrono::milliseconds(50);
 
 in_addr group_address() {
   in_addr address{};
@@ -140,7 +137,9 @@ HostMulticastReceiver::HostMulticastReceiver(std::uint16_t port)
 
 void HostMulticastReceiver::start(OnDatagram on_datagram) {
   thread_ = std::thread([this, heard = std::move(on_datagram)] {
-    receive_datagrams(socket_, stopping_, announcements_come, heard);
+    AnnouncementCrowd crowd;
+    receive_datagrams(socket_, stopping_, heard,
+                      [&] { return crowd.on_announcement(std::chrono::steady_clock::now()); });
   });
   pthread_setname_np(thread_.native_handle(), "dds_multicast");
 }

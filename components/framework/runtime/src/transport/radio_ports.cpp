@@ -63,7 +63,7 @@ class RadioPorts::Port {
  private:
   void run() const {
     const SocketWait wait(socket_);
-    receive_datagrams(socket_, stopping_, Duration::zero(),
+    receive_datagrams(socket_, stopping_,
                       [&](const std::uint8_t* bytes, std::size_t size, const sockaddr_in& from) {
                         on_packet_({bytes, size, from, wait.of_last()});
                       });

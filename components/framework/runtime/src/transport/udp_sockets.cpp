@@ -139,18 +139,23 @@ bool UdpSockets::add_with_port(std::uint8_t family, std::uint16_t port, Found& f
 }
 
 void receive_datagrams(const FileDescriptor& socket, const std::atomic<bool>& stopping,
-                       Duration pause, const OnDatagram& on_datagram) {
+                       const OnDatagram& on_datagram) {
+  receive_datagrams(socket, stopping, on_datagram, [] { return Duration::zero(); });
+}
+
+void receive_datagrams(const FileDescriptor& socket, const std::atomic<bool>& stopping,
+                       const OnDatagram& on_datagram, const std::function<Duration()>& pause) {
   std::vector<std::uint8_t> bytes(datagram_room);
-  bool waits = true;
+  Duration let_come{0};
   while (!stopping) {
     sockaddr_in from{};
     socklen_t from_size = sizeof from;
-    const ssize_t size =
-        ::recvfrom(socket.get(), bytes.data(), bytes.size(), waits ? 0 : MSG_DONTWAIT,
-                   reinterpret_cast<sockaddr*>(&from), &from_size);
+    const ssize_t size = ::recvfrom(socket.get(), bytes.data(), bytes.size(),
+                                    let_come > Duration::zero() ? MSG_DONTWAIT : 0,
+                                    reinterpret_cast<sockaddr*>(&from), &from_size);
     if (size > 0) on_datagram(bytes.data(), static_cast<std::size_t>(size), from);
-    if (!waits && size < 0) wait_for_shutdown(socket, pause);
-    waits = size < 0 || pause == Duration::zero();
+    if (size < 0 && let_come > Duration::zero()) wait_for_shutdown(socket, let_come);
+    let_come = size < 0 ? Duration::zero() : pause();
   }
 }
 

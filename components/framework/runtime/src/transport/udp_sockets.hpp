@@ -57,9 +57,11 @@ class UdpSockets {
 inline constexpr std::size_t datagram_room = 65'536;
 using OnDatagram = std::function<void(const std::uint8_t*, std::size_t, const sockaddr_in& from)>;
 /// Hands on what comes until `stopping`; who sets it wakes the thread by a shutdown of the socket.
-/// When it has handed on all, it lets more come for as long as `pause`: waking costs more than
-/// reading.
 void receive_datagrams(const FileDescriptor& socket, const std::atomic<bool>& stopping,
-                       Duration pause, const OnDatagram& on_datagram);
+                       const OnDatagram& on_datagram);
+/// The same; when it has handed on all, it lets more come for as long as `pause` said after the
+/// last one.
+void receive_datagrams(const FileDescriptor& socket, const std::atomic<bool>& stopping,
+                       const OnDatagram& on_datagram, const std::function<Duration()>& pause);
 
 }  // namespace tocsin

@@ -18,7 +18,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Receives on loopback, a second or more between two looks.
+/// Receives on loopback, with a pause between two looks.
 class ReceiveDatagramsTest : public ::testing::Test {
  protected:
   ReceiveDatagramsTest() {
@@ -36,10 +36,10 @@ class ReceiveDatagramsTest : public ::testing::Test {
   }
   void start(Duration pause, int wanted) {
     thread_ = std::thread([this, pause, wanted] {
-      receive_datagrams(socket_, stopping_, pause,
-                        [&](const std::uint8_t*, std::size_t, const sockaddr_in&) {
-                          if (++received_ == wanted) all_.set_value();
-                        });
+      const auto on_datagram = [&](const std::uint8_t*, std::size_t, const sockaddr_in&) {
+        if (++received_ == wanted) all_.set_value();
+      };
+      receive_datagrams(socket_, stopping_, on_datagram, [pause] { return pause; });
     });
   }
   void send() {
