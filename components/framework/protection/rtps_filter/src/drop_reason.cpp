@@ -25,6 +25,7 @@ std::string_view to_text(DropReason reason) {
                                                                     "forged_disposal",
                                                                     "unknown_source",
                                                                     "other_user",
+                                                                    "closed_socket",
                                                                     "too_many_participants",
                                                                     "too_many_endpoints",
                                                                     "too_many_announcements",

@@ -215,7 +215,7 @@ Inspection RtpsFilter::inspect(const std::uint8_t* bytes, std::size_t size, Sour
   const Survey found = survey(bytes, size, *header, limits);
   if (found.wrong) return dropped(*found.wrong);
   if (sender == Sender::gone && !says_goodbye(bytes, size, {*header, limits, bytes, false})) {
-    return dropped(DropReason::other_user);
+    return dropped(DropReason::closed_socket);
   }
   if (const Wrong wrong = state_->participants.heard(header->prefix, from, now))
     return dropped(*wrong);

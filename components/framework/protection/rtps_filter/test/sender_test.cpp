@@ -34,7 +34,7 @@ TEST(Sender, WhoseSocketIsGoneMayOnlyHaveLeft) {
   for (const Bytes& packet : {sample(), announcement('a'), announcement('b'), heartbeat('a', 1, 5),
                               gap('a', 1, 2), goodbye_and(sample()), goodbye_and(announcement('a')),
                               goodbye_and(heartbeat('a', 1, 5)), Message('a').bytes()}) {
-    EXPECT_EQ(drop_of(packet, Sender::gone), DropReason::other_user);
+    EXPECT_EQ(drop_of(packet, Sender::gone), DropReason::closed_socket);
   }
 }
 
@@ -43,7 +43,7 @@ TEST(Sender, WhoseSocketIsGoneCannotTakeAnEndpointAway) {
   const Wire qos = Wire().parameter(0x71, {0, 0, 0, 3}).parameter(0x70, guid_of('a')).sentinel();
   const Bytes packet = data_of(data_head(sedp_writer).raw(qos.bytes()), with_qos);
   EXPECT_EQ(drop_of(packet, Sender::trusted), passes);
-  EXPECT_EQ(drop_of(packet, Sender::gone), DropReason::other_user);
+  EXPECT_EQ(drop_of(packet, Sender::gone), DropReason::closed_socket);
 }
 
 TEST(Sender, NothingOfAnotherUserIsRemembered) {
@@ -52,7 +52,7 @@ TEST(Sender, NothingOfAnotherUserIsRemembered) {
   EXPECT_EQ(sut.inspect(packet.data(), packet.size(), alice, t0, Sender::other).drop,
             DropReason::other_user);
   EXPECT_EQ(sut.inspect(packet.data(), packet.size(), alice, t0, Sender::gone).drop,
-            DropReason::other_user);
+            DropReason::closed_socket);
   EXPECT_EQ(sut.participants(), 0U);
 }
 

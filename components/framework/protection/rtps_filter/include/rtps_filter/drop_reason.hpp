@@ -29,6 +29,7 @@ enum class DropReason : std::uint8_t {
   forged_disposal,         ///< says that a participant has left, from another address
   unknown_source,          ///< comes from an address that the configuration does not name
   other_user,              ///< comes from a socket of another user of this computer
+  closed_socket,           ///< comes from a socket of this computer that nobody has any more
   too_many_participants,   ///< more participants than are admitted
   too_many_endpoints,      ///< more endpoints than are admitted
   too_many_announcements,  ///< more discovery a second than a source may send
@@ -37,7 +38,7 @@ enum class DropReason : std::uint8_t {
   unauthenticated,  ///< without a seal, other news of a participant that has proved who it is
 };
 
-inline constexpr std::size_t drop_reasons = 25;
+inline constexpr std::size_t drop_reasons = 26;
 
 /// The enumerator's name, as in diagnostics and logs.
 [[nodiscard]] std::string_view to_text(DropReason reason);
