@@ -1,43 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "transport/socket_wait.hpp"
 
-#include <arpa/inet.h>
 #include <gtest/gtest.h>
 #include <poll.h>
-#include <sys/socket.h>
 
 #include <chrono>
 
-#include "foundation/file_descriptor.hpp"
+#include "foundation/time.hpp"
+#include "transport/self_sender.hpp"
 
 namespace tocsin {
 namespace {
 
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
-
-/// On loopback, at a port of the kernel's choice; sends to itself.
-class SelfSender {
- public:
-  SelfSender() : socket_(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
-    own_.sin_family = AF_INET;
-    own_.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    socklen_t size = sizeof own_;
-    EXPECT_EQ(::bind(socket_.get(), address(), size), 0);
-    EXPECT_EQ(::getsockname(socket_.get(), address(), &size), 0);
-  }
-  [[nodiscard]] std::uint16_t port() const { return ntohs(own_.sin_port); }
-  void send() { EXPECT_EQ(::sendto(socket_.get(), "x", 1, 0, address(), sizeof own_), 1); }
-  void receive() {
-    char byte = 0;
-    EXPECT_EQ(::recv(socket_.get(), &byte, 1, 0), 1);
-  }
-
- private:
-  [[nodiscard]] sockaddr* address() { return reinterpret_cast<sockaddr*>(&own_); }
-  FileDescriptor socket_;
-  sockaddr_in own_{};
-};
 
 TEST(SocketWait, TellsHowLongThePacketThatWasReadLastHasWaited) {
   SelfSender socket;

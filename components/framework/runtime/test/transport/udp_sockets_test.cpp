@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "transport/udp_sockets.hpp"
 
-#include <arpa/inet.h>
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 
@@ -10,8 +9,8 @@
 #include <future>
 #include <thread>
 
-#include "foundation/file_descriptor.hpp"
 #include "foundation/time.hpp"
+#include "transport/self_sender.hpp"
 
 namespace tocsin {
 namespace {
@@ -21,17 +20,9 @@ using namespace std::chrono_literals;
 /// Receives on loopback, with a pause between two looks.
 class ReceiveDatagramsTest : public ::testing::Test {
  protected:
-  ReceiveDatagramsTest() {
-    at_.sin_family = AF_INET;
-    at_.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    socklen_t size = sizeof at_;
-    auto* const place = reinterpret_cast<sockaddr*>(&at_);
-    EXPECT_EQ(::bind(socket_.get(), place, size), 0);
-    EXPECT_EQ(::getsockname(socket_.get(), place, &size), 0);
-  }
   ~ReceiveDatagramsTest() override {
     stopping_ = true;
-    (void)::shutdown(socket_.get(), SHUT_RD);
+    (void)::shutdown(socket_.socket().get(), SHUT_RD);
     thread_.join();
   }
   void start(Duration pause, int wanted) {
@@ -39,20 +30,16 @@ class ReceiveDatagramsTest : public ::testing::Test {
       const auto on_datagram = [&](const std::uint8_t*, std::size_t, const sockaddr_in&) {
         if (++received_ == wanted) all_.set_value();
       };
-      receive_datagrams(socket_, stopping_, on_datagram, [pause] { return pause; });
+      receive_datagrams(socket_.socket(), stopping_, on_datagram, [pause] { return pause; });
     });
   }
-  void send() {
-    const auto* const to = reinterpret_cast<const sockaddr*>(&at_);
-    EXPECT_EQ(::sendto(socket_.get(), "ab", 2, 0, to, sizeof at_), 2);
-  }
+  void send() { socket_.send(); }
   [[nodiscard]] bool all_come() {
     return all_.get_future().wait_for(30s) == std::future_status::ready;
   }
 
  private:
-  FileDescriptor socket_{::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)};
-  sockaddr_in at_{};
+  SelfSender socket_;
   std::atomic<bool> stopping_{false};
   int received_ = 0;
   std::promise<void> all_;
